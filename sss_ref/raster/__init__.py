@@ -1,0 +1,1 @@
+"""From clip space to fragments: clip, snap, cover, interpolate; knows nothing of passes and shaders."""

@@ -1,0 +1,92 @@
+"""Which samples a piece covers: exact edge functions, and the one place where the fill rule lives (rule R3).
+
+Window positions are whole numbers of 1/2^bits pixel, counted from the centre of pixel (0, 0). The sample of pixel
+(column, row) is therefore (column*step, row*step) with step = 2^bits, and no rounding enters anywhere in this file.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sss_ref.compiled import compiled
+
+
+class EdgeFunction(NamedTuple):
+    """e(column, row) = (constant + column*per_column) + row*per_row, int64, in squared snapped units.
+
+    Twice the area that the edge spans with the sample; positive on the inner side whichever way the piece turns.
+    """
+
+    constant: int
+    per_column: int
+    per_row: int
+
+
+@compiled
+def position(snapped, vertex):
+    """Window position (x, y) of a vertex, widened so that products of two cannot overflow."""
+    return np.int64(snapped[vertex, 0]), np.int64(snapped[vertex, 1])
+
+
+@compiled
+def twice_area(a, b, c):
+    """Twice the signed area of the corners (x, y): positive when they run counter-clockwise, rows counted upwards."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+
+
+@compiled
+def edge_function(start, end, orientation, step):
+    """The edge from `start` to `end` of a piece that turns counter-clockwise (orientation +1) or clockwise (-1)."""
+    dx = orientation * (end[0] - start[0])
+    dy = orientation * (end[1] - start[1])
+    return EdgeFunction(dy * start[0] - dx * start[1], -dy * step, dx * step)
+
+
+@compiled
+def edges(primitives, piece, step):
+    """The three edge functions of a piece; number i is opposite corner i, so it is what weighs corner i."""
+    a = position(primitives.snapped, primitives.corners[piece, 0])
+    b = position(primitives.snapped, primitives.corners[piece, 1])
+    c = position(primitives.snapped, primitives.corners[piece, 2])
+    turn = 1 if twice_area(a, b, c) > 0 else -1
+    return edge_function(b, c, turn, step), edge_function(c, a, turn, step), edge_function(a, b, turn, step)
+
+
+@compiled
+def at(edge, column, row):
+    """The edge function's exact value at the sample of a pixel."""
+    return (edge.constant + column * edge.per_column) + row * edge.per_row
+
+
+@compiled
+def owns_its_samples(edge):
+    """The fill rule: a sample on the edge is inside if the edge is a left one or a minimum-row horizontal one.
+
+    On a left edge the inside lies towards larger columns, on a minimum-row edge towards larger rows: e grows there.
+    """
+    return edge.per_column > 0 or (edge.per_column == 0 and edge.per_row > 0)
+
+
+@compiled
+def acceptance(edge):
+    """The edge function lowered by one unit where the edge does not own its samples: covered means value >= 0."""
+    return EdgeFunction(edge.constant - (0 if owns_its_samples(edge) else 1), edge.per_column, edge.per_row)
+
+
+@compiled
+def accepted_columns(edge, row, first, last):
+    """The part of the columns first..last of a row where an acceptance is >= 0, by exact (floor) division."""
+    value = at(edge, 0, row)
+    if edge.per_column > 0:
+        return max(first, -(value // edge.per_column)), last
+    if edge.per_column < 0:
+        return first, min(last, value // -edge.per_column)
+    return first, (last if value >= 0 else first - 1)
+
+
+@compiled
+def covered_columns(acceptances, row, first, last):
+    """The columns of first..last that all three acceptances leave: (first, last), empty where last < first."""
+    first, last = accepted_columns(acceptances[0], row, first, last)
+    first, last = accepted_columns(acceptances[1], row, first, last)
+    return accepted_columns(acceptances[2], row, first, last)

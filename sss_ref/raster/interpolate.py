@@ -1,0 +1,55 @@
+"""Perspective-correct interpolation inside a piece (rule R5), compiled for one fragment and in NumPy for many.
+
+The exact edge functions e_i are taken positive inside, whichever way the piece turns, and rounded once to float32:
+
+    w_i = e_i * (1/w)_i        a = ((a0*w0 + a1*w1) + a2*w2) / ((w0 + w1) + w2)
+
+Turning a piece round would negate e0, e1 and e2 together, which the quotient cannot see, except in the sign of a zero;
+so the sign is part of the rule.
+"""
+
+import numpy as np
+
+from sss_ref.compiled import compiled
+from sss_ref.raster.coverage import at, edges
+from sss_ref.raster.primitives import Primitives
+
+
+@compiled
+def barycentric(primitives, piece, column, row, step):
+    """The weights (w0, w1, w2), float32, of a piece's corners at the sample of a pixel; step = 2^subpixel_bits."""
+    corners, inverse_w = primitives.corners, primitives.inverse_w
+    e0, e1, e2 = edges(primitives, piece, step)
+    return (
+        np.float32(at(e0, column, row)) * inverse_w[corners[piece, 0]],
+        np.float32(at(e1, column, row)) * inverse_w[corners[piece, 1]],
+        np.float32(at(e2, column, row)) * inverse_w[corners[piece, 2]],
+    )
+
+
+@compiled
+def interpolate(primitives, piece, weights, attribute):
+    """One attribute (a column of primitives.attributes), float32, under the weights of `barycentric`."""
+    corners, attributes = primitives.corners, primitives.attributes
+    w0, w1, w2 = weights
+    a0 = attributes[corners[piece, 0], attribute]
+    a1 = attributes[corners[piece, 1], attribute]
+    a2 = attributes[corners[piece, 2], attribute]
+    return ((a0 * w0 + a1 * w1) + a2 * w2) / ((w0 + w1) + w2)
+
+
+def interpolate_arrays(
+    primitives: Primitives, piece: np.ndarray, column: np.ndarray, row: np.ndarray, step: int
+) -> np.ndarray:
+    """All attributes of N fragments, float32 (N, A), by plain array code that shares nothing with the kernels.
+
+    piece, column, row: integers (N,), a piece and a pixel whose sample it covers. step: 2^subpixel_bits.
+    """
+    corners = primitives.corners[piece].T
+    x, y = np.moveaxis(primitives.snapped[corners].astype(np.int64), -1, 0)
+    to_x, to_y = x - np.asarray(column, np.int64) * step, y - np.asarray(row, np.int64) * step
+    opposite, next_one = [1, 2, 0], [2, 0, 1]
+    e = to_x[opposite] * to_y[next_one] - to_x[next_one] * to_y[opposite]
+    w0, w1, w2 = np.abs(e).astype(np.float32)[..., None] * primitives.inverse_w[corners][..., None]
+    a0, a1, a2 = primitives.attributes[corners]
+    return ((a0 * w0 + a1 * w1) + a2 * w2) / ((w0 + w1) + w2)

@@ -1,0 +1,133 @@
+"""Which piece each pixel sees: bins of rows, spans of columns, a depth test (rules R3 and R4).
+
+The picture is cut into bands of rows. A counting sort lists the pieces of each band in scene order, and a band is
+drawn by one thread from its own list, so the result depends neither on the number of threads nor on the band height.
+"""
+
+from collections.abc import Callable, Iterable
+from concurrent.futures import Executor
+from typing import NamedTuple
+
+import numpy as np
+
+from sss_ref.compiled import compiled
+from sss_ref.raster.coverage import acceptance, at, covered_columns, edges
+from sss_ref.raster.primitives import Primitives
+from sss_ref.raster.viewport import Viewport
+
+BAND_ROWS = 32
+FAR = np.float32(1)
+
+
+class Bins(NamedTuple):
+    """The pieces of band b, in scene order: members[start[b]:start[b + 1]] (int64 (B + 1,) and int32 (M,))."""
+
+    start: np.ndarray
+    members: np.ndarray
+
+
+class Target(NamedTuple):
+    """What is drawn into: the visible piece, int32 (H, W), -1 for none, and its window depth, float32 (H, W)."""
+
+    piece: np.ndarray
+    depth: np.ndarray
+
+
+def visibility(
+    primitives: Primitives, viewport: Viewport, pool: Executor | None, band_rows: int = BAND_ROWS
+) -> tuple[np.ndarray, np.ndarray]:
+    """The visible piece of each pixel, int32 (H, W), -1 where there is none, and its depth, float32 (H, W), else 1.
+
+    pool: what the bands are spread over; None draws them in this thread. band_rows: rows of a band; no bit depends on
+    either. The nearest piece wins (LESS); of two at the same depth the earlier.
+    """
+    shape = (viewport.height, viewport.width)
+    target = Target(np.empty(shape, np.int32), np.empty(shape, np.float32))
+    bins = bin_pieces(primitives, viewport.height, viewport.step, band_rows)
+
+    def draw(band: int) -> None:
+        draw_band(primitives, bins, band, band_rows, viewport.step, target)
+
+    run: Callable[..., Iterable[None]] = map if pool is None else pool.map
+    for _ in run(draw, range(len(bins.start) - 1)):
+        pass
+    return target.piece, target.depth
+
+
+@compiled
+def bin_pieces(primitives, height, step, band_rows):
+    """Sort the pieces into the bands they touch (counting sort, which keeps their order)."""
+    start = np.zeros((height - 1) // band_rows + 2, np.int64)
+    for piece in range(len(primitives.corners)):
+        first, last = sampled(primitives, piece, 1, height, step)
+        for band in range(first // band_rows, last // band_rows + 1):
+            start[band + 1] += 1
+    start = np.cumsum(start)
+    following = start.copy()
+    members = np.empty(start[-1], np.int32)
+    for piece in range(len(primitives.corners)):
+        first, last = sampled(primitives, piece, 1, height, step)
+        for band in range(first // band_rows, last // band_rows + 1):
+            members[following[band]] = piece
+            following[band] += 1
+    return Bins(start, members)
+
+
+@compiled
+def sampled(primitives, piece, axis, size, step):
+    """The columns (axis 0) or rows (axis 1) of the picture whose samples the piece can reach: (first, last)."""
+    corners, snapped = primitives.corners, primitives.snapped
+    a = np.int64(snapped[corners[piece, 0], axis])
+    b = np.int64(snapped[corners[piece, 1], axis])
+    c = np.int64(snapped[corners[piece, 2], axis])
+    first = -(-min(a, b, c) // step)
+    return max(first, 0), min(max(a, b, c) // step, size - 1)
+
+
+@compiled
+def draw_band(primitives, bins, band, band_rows, step, target):
+    """Clear the rows of one band, then draw its pieces in scene order."""
+    first_row = band * band_rows
+    last_row = min(first_row + band_rows, len(target.depth)) - 1
+    target.piece[first_row : last_row + 1] = -1
+    target.depth[first_row : last_row + 1] = FAR
+    for k in range(bins.start[band], bins.start[band + 1]):
+        draw_piece(primitives, bins.members[k], first_row, last_row, step, target)
+
+
+@compiled
+def draw_piece(primitives, piece, first_row, last_row, step, target):
+    """Draw one piece into the rows first_row..last_row."""
+    height, width = target.depth.shape
+    first_column, last_column = sampled(primitives, piece, 0, width, step)
+    bottom, top = sampled(primitives, piece, 1, height, step)
+    weights = edges(primitives, piece, step)
+    acceptances = acceptance(weights[0]), acceptance(weights[1]), acceptance(weights[2])
+    corner_depths = depths(primitives, piece)
+    for row in range(max(bottom, first_row), min(top, last_row) + 1):
+        first, last = covered_columns(acceptances, row, first_column, last_column)
+        for column in range(first, last + 1):
+            depth = window_depth(weights, corner_depths, column, row)
+            if depth < target.depth[row, column]:
+                target.depth[row, column] = depth
+                target.piece[row, column] = piece
+
+
+@compiled
+def depths(primitives, piece):
+    """The window depths of a piece's corners, as float64."""
+    corners, depth = primitives.corners, primitives.depth
+    return (
+        np.float64(depth[corners[piece, 0]]),
+        np.float64(depth[corners[piece, 1]]),
+        np.float64(depth[corners[piece, 2]]),
+    )
+
+
+@compiled
+def window_depth(edges, depths, column, row):
+    """((z0*e0 + z1*e1) + z2*e2) / (e0 + e1 + e2) in float64, clamped to [0, 1], then rounded once (rule R4)."""
+    e0, e1, e2 = at(edges[0], column, row), at(edges[1], column, row), at(edges[2], column, row)
+    depth = ((depths[0] * e0 + depths[1] * e1) + depths[2] * e2) / (e0 + e1 + e2)
+    clamped = 0.0 if depth < 0.0 else (1.0 if depth > 1.0 else depth)
+    return np.float32(clamped)

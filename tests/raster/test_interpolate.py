@@ -1,0 +1,49 @@
+import numpy as np
+import pytest
+
+from raster.proof import assert_same_bits, interpolate_compiled
+from sss_ref.raster.interpolate import barycentric, interpolate_arrays
+from sss_ref.raster.primitives import assemble
+from sss_ref.raster.viewport import Viewport
+
+VIEWPORT = Viewport(4, 4)
+
+
+def one_triangle(corners, attributes=((0,), (0,), (8,))):
+    """Corners at window (0, 0), (4, 0), (0, 4) with w = 1, 2, 4."""
+    position = np.array([(-1, -1, 0, 1), (2, -2, 0, 2), (-4, 4, 0, 4)], np.float32)
+    return assemble(position, np.array(attributes, np.float32), np.array([corners], np.int32), VIEWPORT)
+
+
+@pytest.mark.parametrize("corners", [(0, 1, 2), (2, 1, 0)])
+def test_weights_by_hand(corners):
+    # pixel (1, 0): window (1.5, 0.5) divides the area 16 as 8 : 6 : 2, in units of step^2; over w = 1, 2, 4
+    weights = barycentric(one_triangle(corners), 0, 1, 0, VIEWPORT.step)
+    assert [float(w) for w in weights] == [(8, 3, 0.5)[corner] * 256.0**2 for corner in corners]
+
+
+@pytest.mark.parametrize("corners", [(0, 1, 2), (2, 1, 0)])
+def test_attribute_by_hand(corners):
+    expected = np.array([[np.float32(4) / np.float32(11.5)]])  # 8*0.5 / (8 + 3 + 0.5)
+    where = np.array([[0], [1], [0]])
+    primitives = one_triangle(corners)
+    assert_same_bits(interpolate_arrays(primitives, *where, VIEWPORT.step), expected)
+    assert_same_bits(interpolate_compiled(primitives, *where, VIEWPORT.step), expected)
+
+
+def test_a_clockwise_piece_keeps_the_sign_of_zero():
+    primitives = one_triangle((2, 1, 0), attributes=((0,), (0,), (0,)))
+    on_an_edge = np.array([[0], [0], [3]])  # where one weight is 0 the products' zeros would differ in sign
+    value = interpolate_arrays(primitives, *on_an_edge, VIEWPORT.step)
+    assert_same_bits(value, np.zeros((1, 1), np.float32))
+    assert_same_bits(interpolate_compiled(primitives, *on_an_edge, VIEWPORT.step), value)
+
+
+def test_edge_functions_beyond_24_bits_are_rounded_once():
+    viewport = Viewport(16384, 16384)
+    position = np.array([(-1, -1, 0, 1), (1, -0.9, 0, 1), (-0.77, 1, 0, 1)], np.float32)
+    primitives = assemble(position, np.zeros((3, 0), np.float32), np.array([[0, 1, 2]], np.int32), viewport)
+    (ax, ay), (bx, by) = primitives.snapped[1:].tolist()
+    exact = (ax - 4000 * 256) * (by - 7000 * 256) - (bx - 4000 * 256) * (ay - 7000 * 256)
+    assert exact > 2**40 and int(np.float32(exact)) != exact
+    assert barycentric(primitives, 0, 4000, 7000, viewport.step)[0] == np.float32(exact)
