@@ -1,0 +1,149 @@
+"""From a scene file to everything a renderer needs: settings, mesh, matrices, camera and lights."""
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property, partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sss_ref.errors import SceneError
+from sss_ref.scene.light_fit import Bounds, fitted
+from sss_ref.scene.matrices import Matrix, Vector, length, placement, transformed
+from sss_ref.scene.mesh import Mesh, load_mesh
+from sss_ref.scene.quantities import FLOAT32_OVERFLOW
+from sss_ref.scene.settings import SceneFile, ShadowMap
+from sss_ref.scene.shipped import find_mesh
+from sss_ref.scene.topology import is_inside, is_watertight
+from sss_ref.scene.validation import opened, validated
+from sss_ref.scene.viewpoints import Camera, LightSettings
+from sss_ref.scene.views import Light, View, camera_view, light_of
+
+FAR_FROM_ORIGIN = 100  # bounding-sphere radii beyond which float32 positions are coarse
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A scene ready to be rendered."""
+
+    settings: SceneFile  # every key filled, the fitted ones too
+    source: str  # the scene file's path or the shipped scene's name; "scene" for a dictionary
+    mesh: Mesh
+    world_from_model: Matrix  # (4, 4)
+    camera: View
+    lights: tuple[Light, ...]
+    warnings: tuple[str, ...]  # what is drawn all the same, but may surprise
+
+
+def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any], /, **overrides: Any) -> Scene:
+    """The scene of a file, of a shipped scene's name, or of a dictionary of the same form.
+
+    overrides: values that go on top of the file, by dotted key or as tables:
+    load_scene("default", preset="robust", **{"camera.width": 256, "lights.0.intensity": 2.0}).
+    Raises SceneError, which lists all that is wrong with the file and the overrides, and MeshError.
+    """
+    document = opened(scene)
+    settings = validated(document, overrides)
+    path = find_mesh(settings.mesh.path, document.folder)
+    assert path is not None  # validation found it
+    return _assembled(settings, document.source, load_mesh(path))
+
+
+@dataclass(frozen=True, eq=False)
+class _Surface:
+    """A mesh at its place in the world."""
+
+    mesh: Mesh
+    world_from_model: Matrix
+
+    @cached_property
+    def points(self) -> NDArray[np.float64]:
+        """World positions of the vertices (V, 3)."""
+        return transformed(self.world_from_model, self.mesh.positions)
+
+    @cached_property
+    def bounds(self) -> Bounds:
+        return Bounds.around(self.points)
+
+    @cached_property
+    def is_watertight(self) -> bool:
+        return is_watertight(self.mesh.positions, self.mesh.triangles)
+
+    def encloses(self, point: Vector) -> bool:
+        """Whether a point is inside; False where the surface has holes and the question no answer."""
+        return self.bounds.holds(point) and self.is_watertight and is_inside(point, self.points[self.mesh.triangles])
+
+
+def _assembled(settings: SceneFile, source: str, mesh: Mesh) -> Scene:
+    """The scene with its lights fitted to the mesh; raises one SceneError for all that does not fit together."""
+    place = settings.mesh
+    surface = _Surface(mesh, placement(*map(np.array, (place.scale, place.rotate_degrees, place.translate))))
+    steps: dict[str, Callable[[], Any]] = {
+        "mesh": partial(_check_extent, surface),
+        "camera": partial(_placed_camera, settings.camera, surface),
+    }
+    for number, light in enumerate(settings.lights):
+        steps[f"lights[{number}]"] = partial(_placed_light, light, settings.shadow_map, surface)
+    _, camera, *fits = _gathered(source, steps)
+    resolved = settings.model_copy(update={"lights": tuple(light for light, _ in fits)})
+    lights = tuple(light for _, light in fits)
+    return Scene(resolved, source, mesh, surface.world_from_model, camera, lights, _warnings(surface, camera, lights))
+
+
+def _gathered(source: str, steps: Mapping[str, Callable[[], Any]]) -> list[Any]:
+    """The result of every step, or one SceneError with the problems of all that failed, each under its key."""
+    results, problems = [], []
+    for key, step in steps.items():
+        try:
+            results.append(step())
+        except SceneError as error:
+            problems.append(f"{source}: {key}: {error}")
+    if problems:
+        raise SceneError("\n".join(problems))
+    return results
+
+
+def _check_extent(surface: _Surface) -> None:
+    reach = float(np.abs(surface.points).max())
+    if reach >= FLOAT32_OVERFLOW:
+        raise SceneError(f"expected world positions that fit float32, got {reach:g}; choose a smaller scale")
+
+
+def _placed_camera(camera: Camera, surface: _Surface) -> View:
+    return _finite(camera_view(camera), surface)
+
+
+def _placed_light(light: LightSettings, shadow_map: ShadowMap, surface: _Surface) -> tuple[LightSettings, Light]:
+    """The light with nothing left open, and what the passes see of it."""
+    if surface.encloses(np.array(light.position)):
+        raise SceneError(f"expected a light outside the mesh, got {list(light.position)} inside; move it out")
+    light = fitted(light, surface.bounds, shadow_map.width / shadow_map.height)
+    result = light_of(light, shadow_map)
+    _finite(result.view, surface)
+    return light, result
+
+
+def _finite(view: View, surface: _Surface) -> View:
+    """`view`, if its matrices have numbers in them."""
+    with np.errstate(all="ignore"):
+        matrix = view.clip_from(surface.world_from_model)
+    if not np.isfinite(matrix).all():
+        raise SceneError("expected a projection that fits float32, got larger numbers; bring eye, near and far closer")
+    return view
+
+
+def _warnings(surface: _Surface, camera: View, lights: tuple[Light, ...]) -> tuple[str, ...]:
+    bounds = surface.bounds
+    found = [f"mesh: {note}" for note in surface.mesh.notes]
+    if surface.encloses(camera.eye):
+        found.append("camera: it is inside the mesh and sees its back faces")
+    for number, light in enumerate(lights):
+        if bounds.holds(light.position) and not surface.is_watertight:
+            found.append(f"lights[{number}]: it may be inside the mesh, which has holes")
+    if length(bounds.centre) > FAR_FROM_ORIGIN * bounds.radius:
+        found.append(
+            f"mesh: it is more than {FAR_FROM_ORIGIN} radii from the origin, where float32 positions are coarse"
+        )
+    return tuple(found)

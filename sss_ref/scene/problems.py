@@ -1,0 +1,91 @@
+"""What is wrong with a scene file, told one line per problem: where, what was expected, what came, what to do."""
+
+import difflib
+import json
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from pydantic_core import ErrorDetails, PydanticCustomError
+
+KeyPath = tuple[str | int, ...]
+
+# What pydantic finds by itself: its error type, what was expected, what to do.
+FOUND_BY_TYPE = {
+    "float_type": ("a number", "write it without quotes, such as 1.5"),
+    "finite_number": ("a finite number", "nan and inf are not accepted"),
+    "int_type": ("a whole number", "write it without quotes or decimal point, such as 1024"),
+    "string_type": ("a text", "put it in double quotes"),
+    "bool_type": ("true or false", "write it without quotes"),
+    "tuple_type": ("an array", "put the values in brackets, separated by commas"),
+    "too_long": ("{max_length} values", "remove the others"),
+    "literal_error": ("{expected}", "choose one of these"),
+    "union_tag_invalid": ("a type {expected_tags}", "choose one of these"),
+    "union_tag_not_found": ("a type", 'add type = "orbit", "look_at" or "free"'),
+    "missing": ("a value", "add it"),
+    "model_type": ("a table", "give its keys, each with a value"),
+    "model_attributes_type": ("a table", "give its keys, each with a value"),
+}
+
+# Keys that a reader of the paper will look for and that this version does not know.
+NOT_YET: dict[KeyPath, str] = {("mesh", "texture"): "textures are not supported yet, use mesh.color"}
+
+# Where a value may have one of several forms, pydantic inserts the form's name after these keys.
+CHOICES: tuple[KeyPath, ...] = (("camera",), ("blur", "kernel"))
+
+
+def unmet(expected: str, remedy: str) -> PydanticCustomError:
+    """The error a validator raises: what it expected and what to do; `described` adds the rest."""
+    return PydanticCustomError("unmet", "expected {expected}; {remedy}", {"expected": expected, "remedy": remedy})
+
+
+def told(where: str, expected: str, came: str, remedy: str) -> str:
+    """One problem as the user reads it."""
+    return f"{where}: expected {expected}, got {came}; {remedy}"
+
+
+def described(error: ErrorDetails, known: Iterable[str]) -> tuple[KeyPath, str]:
+    """The key path of a validation error, and the problem without its file.
+
+    known: the keys of the table the error is in, for the nearest name of an unknown one.
+    """
+    path = key_path(error["loc"])
+    if error["type"] == "extra_forbidden":
+        remedy = NOT_YET.get(path) or _nearest(str(path[-1]), known)
+        return path, told(written(path), "a known key", "this one", remedy)
+    expected, remedy = _expectation(error)
+    came = "nothing" if error["type"] == "missing" else shown(error["input"])
+    return path, told(written(path), expected, came, remedy)
+
+
+def key_path(location: Sequence[str | int]) -> KeyPath:
+    """Pydantic's location without the names of alternative forms."""
+    for keys in CHOICES:
+        if tuple(location[: len(keys)]) == keys:
+            return (*keys, *location[len(keys) + 1 :])
+    return tuple(location)
+
+
+def written(path: KeyPath) -> str:
+    """A key path as the user would write it: lights[0].position."""
+    text = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in path)
+    return text.removeprefix(".") or "scene"
+
+
+def shown(value: Any) -> str:
+    """A value as TOML would show it, cut to a line's length."""
+    text = json.dumps(value, default=str)
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def _expectation(error: ErrorDetails) -> tuple[str, str]:
+    context = error.get("ctx", {})
+    if error["type"] == "unmet":
+        return context["expected"], context["remedy"]
+    expected, remedy = FOUND_BY_TYPE.get(error["type"], (error["msg"], "correct it"))
+    return expected.format(**context).replace("'", '"'), remedy
+
+
+def _nearest(key: str, known: Iterable[str]) -> str:
+    known = sorted(known)
+    near = difflib.get_close_matches(key, known, n=1)
+    return f"did you mean {near[0]}?" if near else f"remove it (known here: {', '.join(known)})"

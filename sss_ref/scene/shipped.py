@@ -1,0 +1,48 @@
+"""The scenes and meshes that come with the package, found by name."""
+
+import os
+from pathlib import Path
+
+from sss_ref.errors import SceneError
+
+PACKAGE = Path(__file__).parents[1]
+MESH_SUFFIXES = (".obj", ".ply", ".stl", ".off", ".glb", ".gltf")
+
+
+def data_folder() -> Path:
+    """Where the shipped files are: inside the installed package, or beside it in a checkout."""
+    installed = PACKAGE / "data"
+    return installed if installed.is_dir() else PACKAGE.parent / "data"
+
+
+def scene_names() -> tuple[str, ...]:
+    """The names of the shipped scenes, sorted."""
+    return tuple(sorted(path.stem for path in (data_folder() / "scenes").glob("*.toml")))
+
+
+def mesh_names() -> tuple[str, ...]:
+    """The names of the shipped meshes, sorted."""
+    return tuple(sorted(path.stem for path in (data_folder() / "meshes").glob("*") if path.suffix in MESH_SUFFIXES))
+
+
+def scene_path(name: str) -> Path:
+    """The file of a shipped scene. Raises SceneError for another name."""
+    if name not in scene_names():
+        raise SceneError(f"{name}: expected a shipped scene ({', '.join(scene_names())}), got another name")
+    return data_folder() / "scenes" / f"{name}.toml"
+
+
+def mesh_path(name: str) -> Path:
+    """The file of a shipped mesh. Raises SceneError for another name."""
+    for suffix in MESH_SUFFIXES:
+        path = data_folder() / "meshes" / f"{name}{suffix}"
+        if name in mesh_names() and path.is_file():
+            return path
+    raise SceneError(f"{name}: expected a shipped mesh ({', '.join(mesh_names())}), got another name")
+
+
+def find_mesh(path: str, folder: Path) -> Path | None:
+    """The mesh file that a scene in `folder` means by `path`: a file there, or else a shipped mesh; None if neither."""
+    if os.path.isfile(folder / path):  # unlike Path.is_file it takes any text
+        return folder / path
+    return mesh_path(path) if path in mesh_names() else None

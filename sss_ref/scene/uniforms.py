@@ -1,0 +1,58 @@
+"""The uniforms of a scene: the name a stage reads it by -> its value, float32 or int, rounded once from the scene."""
+
+from typing import Any
+
+import numpy as np
+
+from sss_ref.scene.load import Scene
+from sss_ref.scene.matrices import normal_matrix
+from sss_ref.scene.views import Light
+
+NEUTRAL = {"multiply": 1.0, "add": 0.0, "transmit": 0.0}  # what leaves `lit` as it is
+
+
+def uniforms(scene: Scene) -> dict[str, Any]:
+    """Every uniform of every stage; matrices are M[row][column], vectors (N,), uniform arrays one row an element."""
+    settings = scene.settings
+    taps = np.array(settings.blur.taps, np.float32)
+    values = {
+        "world_from_model": scene.world_from_model,
+        "normal_from_model": normal_matrix(scene.world_from_model),
+        "camera_clip_from_model": scene.camera.clip_from(scene.world_from_model),
+        "camera_position": scene.camera.eye,
+        "mesh_color": settings.mesh.color,
+        "light_count": len(scene.lights),
+        **light_uniforms(scene.lights[0], scene),
+        "lookup_inset": settings.shadow_map.lookup_inset,
+        "bias_abs": settings.shadow_map.bias_abs,
+        "bias_slope": settings.shadow_map.bias_slope,
+        "ambient": settings.phong.ambient,
+        "diffuse": settings.phong.diffuse,
+        "specular": settings.phong.specular,
+        "shininess": settings.phong.shininess,
+        "x": settings.translucency.x,
+        "y": settings.translucency.y,
+        "exponent": settings.translucency.exponent,
+        "d_min": settings.translucency.d_min,
+        "translucency_scale": settings.translucency.scale,
+        "translucency_neutral": NEUTRAL[settings.translucency.combine],
+        "pixel_scale": settings.blur.pixel_scale,
+        "tap_offset": taps[:, :2],
+        "tap_weight": taps[:, 2:],
+        "background": settings.output.background,
+    }
+    rounded = {name: np.array(value, np.float32, order="C") for name, value in values.items()}
+    return {name: value if value.ndim else value[()] for name, value in rounded.items()} | {"tap_count": len(taps)}
+
+
+def light_uniforms(light: Light, scene: Scene) -> dict[str, Any]:
+    """The uniforms of one light and of its shadow map."""
+    return {
+        "light_clip_from_model": light.view.clip_from(scene.world_from_model),
+        "light_clip_from_world": light.view.clip_from(np.eye(4)),
+        "light_position": light.position,
+        "light_color": light.color,
+        "light_intensity": light.intensity,
+        "light_texel_size": light.view.pixel_size,
+        "light_clear_distance": 2 * light.view.far,
+    }

@@ -1,0 +1,83 @@
+"""From a scene file's text to its settings, or to one error that lists everything wrong with it."""
+
+import os
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from sss_ref.errors import SceneError
+from sss_ref.scene import settings, viewpoints
+from sss_ref.scene.layers import filled, is_overridden, overridden, override_paths
+from sss_ref.scene.problems import KeyPath, described, told
+from sss_ref.scene.shipped import scene_names, scene_path
+
+# Which model a table of the file has, by its keys: what is known there.
+TABLES: dict[KeyPath, type[BaseModel]] = {
+    (): settings.SceneFile,
+    ("mesh",): settings.MeshSettings,
+    ("camera", "orbit"): viewpoints.OrbitCamera,
+    ("camera", "look_at"): viewpoints.LookAtCamera,
+    ("camera", "free"): viewpoints.FreeCamera,
+    ("lights",): viewpoints.LightSettings,
+    ("shadow_map",): settings.ShadowMap,
+    ("phong",): settings.Phong,
+    ("translucency",): settings.Translucency,
+    ("blur",): settings.Blur,
+    ("irradiance_map",): settings.IrradianceMap,
+    ("output",): settings.Output,
+}
+
+
+@dataclass(frozen=True)
+class Document:
+    """A scene file as parsed."""
+
+    data: Mapping[str, Any]
+    source: str  # what error messages call it
+    folder: Path  # what its paths are relative to
+
+
+def opened(scene: str | os.PathLike[str] | Mapping[str, Any]) -> Document:
+    """The document of a path, of a shipped scene's name, or of a dictionary that was parsed already."""
+    if isinstance(scene, Mapping):
+        return Document(scene, "scene", Path())
+    name = os.fspath(scene)
+    path = scene_path(name) if name in scene_names() else Path(name)
+    return Document(_parsed(path, name), name, path.parent)
+
+
+def validated(document: Document, overrides: Mapping[str, Any]) -> settings.SceneFile:
+    """The settings with every key filled but those that are fitted to the mesh. Raises SceneError."""
+    data, misplaced = overridden(document.data, overrides)
+    problems = [f"override: {problem}" for problem in misplaced]
+    try:
+        result = settings.SceneFile.model_validate(filled(data), context={"folder": document.folder})
+    except ValidationError as error:
+        problems += _told_problems(error, document.source, override_paths(overrides))
+    if problems:
+        raise SceneError("\n".join(problems))
+    return result
+
+
+def _parsed(path: Path, name: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        expected = f"a scene file or a shipped scene ({', '.join(scene_names())})"
+        raise SceneError(told(name, expected, error.strerror or "none", "check the name")) from None
+    except (ValueError, RecursionError) as error:  # not UTF-8, not TOML, or nested without end
+        raise SceneError(told(name, "valid TOML", str(error), "correct that place")) from None
+
+
+def _told_problems(error: ValidationError, source: str, overrides: set[KeyPath]) -> list[str]:
+    """One line per problem; where an override caused it, that is its source."""
+    lines = []
+    for details in error.errors():
+        table = tuple(part for part in details["loc"][:-1] if isinstance(part, str))
+        path, problem = described(details, TABLES.get(table, settings.SceneFile).model_fields)
+        lines.append(f"{'override' if is_overridden(path, overrides) else source}: {problem}")
+    return lines
