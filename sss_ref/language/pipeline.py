@@ -1,0 +1,105 @@
+"""What stages are assembled into: a draw or a full-screen rectangle, a pass, a method."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+from sss_ref.language.stage import Stage
+
+CLIP_POSITION = "clip_position"  # the one output of a vertex stage that is no varying: GLSL's gl_Position
+MESH_ATTRIBUTES = ("position", "normal", "uv")  # what a vertex stage may read of its vertex, in model space
+PIXEL = "pixel"  # the built-in input of every fragment: ivec2(column, row), row 0 at the bottom
+
+
+@dataclass(frozen=True)
+class MeshDraw:
+    """The mesh, rasterized from one view with depth test LESS.
+
+    vertex: stage over the vertices; its outputs but `clip_position` are varyings, interpolated for each fragment.
+    triangle, depth, coverage: the buffers that the rasterizer itself writes, by their names ("" = none).
+    """
+
+    vertex: Stage
+    triangle: str
+    depth: str
+    coverage: str = ""
+
+    @property
+    def varyings(self) -> dict[str, Any]:
+        """Varying -> type, by the names that fragment stages read."""
+        return {self.vertex.writes[own]: kind for own, kind in self.vertex.outputs.items() if own != CLIP_POSITION}
+
+    @property
+    def outputs(self) -> dict[str, Any]:
+        """Buffer -> type of what the rasterizer writes."""
+        named = {self.triangle: int, self.depth: float, self.coverage: bool}
+        return {name: kind for name, kind in named.items() if name}
+
+
+@dataclass(frozen=True)
+class ScreenDraw:
+    """A rectangle of exactly the size of the target; `stencil` names a buffer that limits it to where that is 1."""
+
+    stencil: str = ""
+
+    @property
+    def varyings(self) -> dict[str, Any]:
+        """A rectangle interpolates nothing."""
+        return {}
+
+    @property
+    def outputs(self) -> dict[str, Any]:
+        """A rectangle writes nothing but what its stages do."""
+        return {}
+
+
+@dataclass(frozen=True)
+class Pass:
+    """Stages that run one after the other on every fragment of one draw; `target` names the size: a scene table."""
+
+    name: str
+    target: str
+    draw: MeshDraw | ScreenDraw
+    stages: tuple[Stage, ...]
+
+    @property
+    def outputs(self) -> dict[str, Any]:
+        """Buffer -> type of everything this pass can write, in stage order."""
+        written = {s.writes[own]: kind for s in self.stages for own, kind in s.outputs.items()}
+        return self.draw.outputs | written
+
+    def only(self, wanted: set[str]) -> "Pass":
+        """The same pass with just the stages that `wanted` outputs depend on."""
+        needed = set(wanted)
+        stages: list[Stage] = []
+        for stage in reversed(self.stages):
+            if needed & set(stage.writes.values()):
+                needed |= set(stage.reads.values())
+                stages.insert(0, stage)
+        return replace(self, stages=tuple(stages))
+
+    @property
+    def reads(self) -> dict[str, Any]:
+        """Name -> type of what the stages read from outside: uniforms, and buffers of earlier passes."""
+        inside = {*self.outputs, *self.draw.varyings, PIXEL}
+        read = {stage.reads[own]: kind for stage in self.stages for own, kind in stage.parameters.items()}
+        return {name: kind for name, kind in sorted(read.items()) if name not in inside}
+
+    @property
+    def needs(self) -> set[str]:
+        """What must be there before the pass runs: what the stages read, and the stencil."""
+        stencil = self.draw.stencil if isinstance(self.draw, ScreenDraw) else ""
+        return set(self.reads) | ({stencil} if stencil else set())
+
+
+@dataclass(frozen=True)
+class Method:
+    """A named tuple of passes, folded over a dictionary of buffers."""
+
+    name: str
+    passes: tuple[Pass, ...]
+
+    @property
+    def outputs(self) -> Mapping[str, Any]:
+        """Buffer -> type of everything the method can write, in order."""
+        return {name: kind for one in self.passes for name, kind in one.outputs.items()}

@@ -1,0 +1,57 @@
+"""Texture sampling, written in the language itself (rule R9). Texel centres lie at ((i + 0.5)/W, (j + 0.5)/H)."""
+
+from typing import TypeVar
+
+from sss_ref.language.builtins import clamp, mix
+from sss_ref.language.primitives import float32, floor, genType, int32, size, texel
+from sss_ref.language.stage import function
+from sss_ref.language.types import Texture, ivec2, vec2
+
+T = TypeVar("T")
+
+
+@function
+def nearest_texel(map_size: ivec2, uv: vec2) -> ivec2:
+    """The texel that holds uv: floor(uv * size), clamped, so u = 1 belongs to the last texel."""
+    column = clamp(floor(uv.x * float32(map_size.x)), 0.0, float32(map_size.x - 1))
+    row = clamp(floor(uv.y * float32(map_size.y)), 0.0, float32(map_size.y - 1))
+    return ivec2(int32(column), int32(row))
+
+
+@function
+def texel_position(map_size: ivec2, uv: vec2) -> vec2:
+    """Where uv lies between texel centres, in texels from the centre of texel (0, 0): uv * size - 0.5."""
+    return vec2(uv.x * float32(map_size.x) - 0.5, uv.y * float32(map_size.y) - 0.5)
+
+
+@function
+def whole_part(position: vec2) -> ivec2:
+    """The texel to the lower left of a position in texels."""
+    return ivec2(int32(floor(position.x)), int32(floor(position.y)))
+
+
+@function
+def texel_clamped(texture: Texture[T], at: ivec2) -> T:
+    """The stored value at a texel, or at the nearest one on the edge (GL_CLAMP_TO_EDGE)."""
+    last = size(texture) - ivec2(1, 1)
+    return texel(texture, ivec2(clamp(at.x, 0, last.x), clamp(at.y, 0, last.y)))
+
+
+@function
+def bilinear_blend(
+    lower_left: genType, lower_right: genType, upper_left: genType, upper_right: genType, t: vec2
+) -> genType:
+    """Four neighbours mixed along x first, then along y."""
+    return mix(mix(lower_left, lower_right, t.x), mix(upper_left, upper_right, t.x), t.y)
+
+
+@function
+def sample_bilinear(texture: Texture[genType], corner: ivec2, t: vec2) -> genType:
+    """GL_LINEAR between the texel `corner` and its right and upper neighbours, clamped to the edge."""
+    return bilinear_blend(
+        texel_clamped(texture, corner),
+        texel_clamped(texture, corner + ivec2(1, 0)),
+        texel_clamped(texture, corner + ivec2(0, 1)),
+        texel_clamped(texture, corner + ivec2(1, 1)),
+        t,
+    )

@@ -1,0 +1,144 @@
+"""The typed syntax tree of a stage: what the front end makes of its source and the interpreters walk.
+
+A type is the Python object that stands in the signature: float, int, bool, vec3, mat4, Texture[vec3] and so on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from sss_ref.language.primitives import Primitive
+    from sss_ref.language.stage import Function
+
+
+@dataclass(frozen=True)
+class Literal:
+    """A number or truth value written in the source; a float one is exact in float32."""
+
+    type: Any
+    value: float | int | bool
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A float32 or int constant of the module, by its name."""
+
+    type: Any
+    name: str
+    value: float | int
+
+
+@dataclass(frozen=True)
+class Name:
+    """A parameter, a local value or a loop index."""
+
+    type: Any
+    name: str
+
+
+@dataclass(frozen=True)
+class Member:
+    """Some components of a vector: `.x`, `.xy`, `.xyz`."""
+
+    type: Any
+    vector: Expression
+    letters: str
+
+
+@dataclass(frozen=True)
+class Operation:
+    """`operator` is one of + - * / < <= > >= == != & |, or "neg"."""
+
+    type: Any
+    operator: str
+    operands: tuple[Expression, ...]
+
+
+@dataclass(frozen=True)
+class Construct:
+    """A vector from its parts: vec4(position, 1.0)."""
+
+    type: Any
+    parts: tuple[Expression, ...]
+
+
+@dataclass(frozen=True)
+class Element:
+    """One element of a uniform array."""
+
+    type: Any
+    array: Name
+    index: Expression
+
+
+@dataclass(frozen=True)
+class Call:
+    """A primitive, or a function of the language with the body it has for these argument types."""
+
+    type: Any
+    callee: Primitive | Function
+    arguments: tuple[Expression, ...]
+    body: Body | None = None
+
+
+Expression = Literal | Constant | Name | Member | Operation | Construct | Element | Call
+
+
+@dataclass(frozen=True)
+class Assign:
+    """name = value."""
+
+    name: str
+    value: Expression
+    line: int
+
+
+@dataclass(frozen=True)
+class Loop:
+    """For index in range(start, stop): the statements of `block`."""
+
+    index: str
+    start: Expression
+    stop: Expression
+    block: tuple[Assign, ...]
+    line: int
+
+
+@dataclass(frozen=True)
+class Return:
+    """The values of a body, by output name (a function's only value is called "return")."""
+
+    values: Mapping[str, Expression]
+    line: int
+
+
+@dataclass(frozen=True)
+class Body:
+    """A checked function: parameters with their types, statements in order, and the one return at the end."""
+
+    parameters: Mapping[str, Any]
+    statements: tuple[Assign | Loop, ...]
+    result: Return
+
+
+def children(expression: Expression) -> tuple[Expression, ...]:
+    """The expressions directly inside an expression."""
+    match expression:
+        case Member(vector=inner):
+            return (inner,)
+        case Operation(operands=inner) | Construct(parts=inner) | Call(arguments=inner):
+            return inner
+        case Element(array=array, index=index):
+            return (array, index)
+    return ()
+
+
+def names_in(expression: Expression) -> Iterator[str]:
+    """Every name an expression mentions."""
+    if isinstance(expression, Name):
+        yield expression.name
+    for inner in children(expression):
+        yield from names_in(inner)
