@@ -1,0 +1,55 @@
+"""The CPU reference for real-time subsurface scattering: every shader stage of the paper, bit for bit.
+
+    scene = sss_ref.load_scene("default", preset="robust")
+    result = sss_ref.render(scene)
+    result["thickness"], result.image, result.hashes
+    result.save("out")
+
+Importing the package loads neither numba nor trimesh and changes nothing.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from sss_ref.errors import DumpError, MeshError, RenderError, SceneError, SssRefError, StageError
+    from sss_ref.rendering import render
+    from sss_ref.result import Result
+    from sss_ref.scene.load import Scene, load_scene
+
+_HOMES = {
+    "DumpError": "sss_ref.errors",
+    "MeshError": "sss_ref.errors",
+    "RenderError": "sss_ref.errors",
+    "Result": "sss_ref.result",
+    "Scene": "sss_ref.scene.load",
+    "SceneError": "sss_ref.errors",
+    "SssRefError": "sss_ref.errors",
+    "StageError": "sss_ref.errors",
+    "load_scene": "sss_ref.scene.load",
+    "render": "sss_ref.rendering",
+}
+
+__all__ = [
+    "DumpError",
+    "MeshError",
+    "RenderError",
+    "Result",
+    "Scene",
+    "SceneError",
+    "SssRefError",
+    "StageError",
+    "load_scene",
+    "render",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Load a public name from its home when it is first asked for."""
+    if name not in _HOMES:
+        raise AttributeError(f"module 'sss_ref' has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

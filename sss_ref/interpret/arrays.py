@@ -1,0 +1,86 @@
+"""Stages as plain NumPy: every component an array with one element per fragment. The oracle's own oracle."""
+
+from collections.abc import Mapping
+from concurrent.futures import Executor
+from typing import Any
+
+import numpy as np
+
+from sss_ref.interpret.work import CHANNELS, Work, buffer_value, store, uniform_value
+from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL, MeshDraw, Pass
+from sss_ref.language.types import components, ivec2
+from sss_ref.raster.interpolate import interpolate_arrays
+
+CHUNK = 1 << 16  # fragments at a time, so that the temporaries stay in the cache
+
+
+def run_vertices(
+    one: Pass, mesh: Mapping[str, np.ndarray], uniforms: Mapping[str, Any], varyings: Mapping[str, int], columns: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Run the vertex stage of a pass: clip positions float32 (V, 4) and the wanted varyings, float32 (V, columns).
+
+    mesh: vertex attribute -> float32 (V, C). varyings: name -> first column.
+    """
+    assert isinstance(one.draw, MeshDraw)
+    stage, inputs = one.draw.vertex, []
+    for own, kind in stage.parameters.items():
+        raw = mesh[own] if own in MESH_ATTRIBUTES else uniforms[stage.reads[own]]
+        inputs.append(kind(*raw.T) if own in MESH_ATTRIBUTES else uniform_value(kind, raw))
+    with np.errstate(all="ignore"):
+        results = dict(zip(stage.writes.values(), stage(*inputs), strict=True))
+    attributes = np.empty((len(mesh["position"]), columns), np.float32)
+    for name, first in varyings.items():
+        for k, component in enumerate(components(results[name])):
+            attributes[:, first + k] = component
+    return np.stack(components(results[stage.writes[CLIP_POSITION]]), axis=-1), attributes
+
+
+def run_fragments(work: Work, pool: Executor | None) -> None:
+    """Run the stages of a pass on all its fragments and fill its outputs; array code has no use for the pool."""
+    for name, buffer in work.outputs.items():
+        buffer[...] = work.backgrounds[name] if buffer.ndim == 3 else work.backgrounds[name][0]
+    rows, columns = np.nonzero(work.fragments.where)
+    for start in range(0, len(rows), CHUNK):
+        at = rows[start : start + CHUNK], columns[start : start + CHUNK]
+        values = stage_values(work, *at)
+        for name, buffer in work.outputs.items():
+            store(buffer, *at, values[name])
+
+
+def stage_values(work: Work, rows: np.ndarray, columns: np.ndarray) -> dict[str, Any]:
+    """All values that the stages of a pass compute at the pixels (rows, columns), with what the draw gives them."""
+    values = draw_values(work, rows, columns)
+    with np.errstate(all="ignore"):
+        for stage in work.one.stages:
+            inputs = [
+                stage_input(work, values, stage.reads[own], kind, (rows, columns))
+                for own, kind in stage.parameters.items()
+            ]
+            values |= zip(stage.writes.values(), stage(*inputs), strict=True)
+    return values
+
+
+def stage_input(work: Work, values: Mapping[str, Any], name: str, kind: Any, at: tuple[np.ndarray, np.ndarray]) -> Any:
+    """What a stage reads under a name: a value of its own pass, a buffer of an earlier one, or a uniform."""
+    if name in values:
+        return values[name]
+    if name in work.buffers:
+        return buffer_value(kind, work.buffers[name], *at)
+    return uniform_value(kind, work.uniforms[name])
+
+
+def draw_values(work: Work, rows: np.ndarray, columns: np.ndarray) -> dict[str, Any]:
+    """What a draw gives each fragment: its pixel, the interpolated varyings, and what the rasterizer wrote."""
+    pixel = ivec2(columns.astype(np.int32), rows.astype(np.int32))
+    values: dict[str, Any] = {PIXEL: pixel}
+    draw, fragments = work.one.draw, work.fragments
+    if not isinstance(draw, MeshDraw) or fragments.primitives is None or fragments.piece is None:
+        return values
+    pieces = fragments.piece[rows, columns]
+    attributes = interpolate_arrays(fragments.primitives, pieces, columns, rows, fragments.step)
+    for name, first in fragments.varyings.items():
+        kind = draw.varyings[name]
+        values[name] = kind(*attributes.T[first : first + CHANNELS[kind]])
+    values[draw.triangle] = fragments.primitives.triangle[pieces]
+    values[draw.coverage] = np.ones(len(rows), bool)
+    return values

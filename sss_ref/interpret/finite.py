@@ -1,0 +1,63 @@
+"""No buffer ever holds NaN or infinity (rule A6): the check after each pass, and the message if one does."""
+
+from concurrent.futures import Executor
+from typing import Any
+
+import numpy as np
+
+from sss_ref.compiled import compiled
+from sss_ref.errors import RenderError
+from sss_ref.interpret.arrays import draw_values, stage_input
+from sss_ref.interpret.work import FLOAT32, Work
+from sss_ref.language.types import Array, Texture, components
+
+INFINITY = 0x7F800000  # bit pattern of float32 infinity; NaNs lie above
+PART = 1 << 20  # values a task
+
+
+def require_finite(work: Work, pool: Executor | None) -> None:
+    """Raise RenderError, naming stage, pixel and inputs, if an output of a pass holds NaN or infinity."""
+    for name, buffer in work.outputs.items():
+        if buffer.dtype == FLOAT32 and _largest(buffer, pool) >= INFINITY:
+            bad = ~np.isfinite(buffer)
+            row, column = np.argwhere(bad.any(axis=-1) if bad.ndim == 3 else bad)[0]
+            raise RenderError(_message(work, name, row, column))
+
+
+def _largest(buffer: np.ndarray, pool: Executor | None) -> int:
+    bits = buffer.reshape(-1).view(np.int32)
+    parts = [bits[start : start + PART] for start in range(0, len(bits), PART)]
+    return max((pool.map if pool else map)(largest_magnitude, parts))
+
+
+@compiled
+def largest_magnitude(bits):
+    """The largest of float32 values given as int32 bit patterns (N,), signs cleared, as a bit pattern."""
+    largest = np.int32(0)
+    for k in range(len(bits)):
+        magnitude = np.int32(bits[k] & np.int32(0x7FFFFFFF))
+        largest = magnitude if magnitude > largest else largest
+    return largest
+
+
+def _message(work: Work, name: str, row: int, column: int) -> str:
+    """Run the stages again on the one pixel, up to the first value that is not finite."""
+    at = np.array([row]), np.array([column])
+    values = draw_values(work, *at)
+    with np.errstate(all="ignore"):
+        for stage in work.one.stages:
+            kinds = {stage.reads[own]: kind for own, kind in stage.parameters.items()}
+            inputs = {read: stage_input(work, values, read, kind, at) for read, kind in kinds.items()}
+            results = dict(zip(stage.writes.values(), stage(*inputs.values()), strict=True))
+            if not all(np.isfinite(part).all() for value in results.values() for part in components(value)):
+                listed = ", ".join(f"{read} = {_shown(value)}" for read, value in inputs.items() if _shown(value))
+                return f"stage {stage.name}, pixel {column},{row}: result is not finite; inputs: {listed}"
+            values |= results
+    return f"pass {work.one.name}, pixel {column},{row}: buffer {name} is not finite"
+
+
+def _shown(value: Any) -> str:
+    """An input in a message: its components; textures, arrays and matrices are left out."""
+    if isinstance(value, Texture | Array) or hasattr(value, "rows"):
+        return ""
+    return " ".join(str(np.ravel(part)[0]) for part in components(value))

@@ -1,0 +1,95 @@
+"""What an interpreter is handed: a pass, what it reads, the fragments of its draw, and the buffers to fill."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, get_origin
+
+import numpy as np
+
+from sss_ref.language.pipeline import Pass
+from sss_ref.language.types import Array, Texture, Vector, components, ivec2, mat3, mat4, vec2, vec3, vec4
+from sss_ref.raster.primitives import Primitives
+
+CHANNELS = {float: 1, int: 1, bool: 1, vec2: 2, ivec2: 2, vec3: 3, vec4: 4}
+DTYPES: dict[Any, np.dtype] = {int: np.dtype("<i4"), bool: np.dtype("u1")}
+FLOAT32 = np.dtype("<f4")
+
+
+@dataclass(frozen=True)
+class Fragments:
+    """The pixels on which a pass runs its stages.
+
+    primitives, piece, step: of a draw of the mesh (piece int32 (H, W), -1 where none); None for a rectangle.
+    varyings: varying -> its first column in primitives.attributes.
+    stencil: uint8 (H, W), the rectangle's limit, or None.
+    """
+
+    width: int
+    height: int
+    primitives: Primitives | None = None
+    piece: np.ndarray | None = None
+    step: int = 1
+    varyings: Mapping[str, int] = field(default_factory=dict)
+    stencil: np.ndarray | None = None
+
+    @property
+    def where(self) -> np.ndarray:
+        """Bool (H, W): which pixels hold a fragment."""
+        if self.piece is not None:
+            return self.piece >= 0
+        return np.ones((self.height, self.width), bool) if self.stencil is None else self.stencil != 0
+
+
+@dataclass(frozen=True)
+class Work:
+    """One pass to run.
+
+    uniforms: name -> float32 scalar, int, or float32 array (vectors (N,), matrices (N, N), uniform arrays (N, C)).
+    buffers: name -> finished buffer of an earlier pass, (H, W) or (H, W, C).
+    outputs: name -> array to fill completely, background included; backgrounds: name -> one value per channel.
+    """
+
+    one: Pass
+    fragments: Fragments
+    uniforms: Mapping[str, Any]
+    buffers: Mapping[str, np.ndarray]
+    outputs: Mapping[str, np.ndarray]
+    backgrounds: Mapping[str, np.ndarray]
+
+
+def dtype_of(kind: Any) -> np.dtype:
+    """The element type of a buffer that holds values of a type."""
+    return DTYPES.get(kind, FLOAT32)
+
+
+def shape_of(kind: Any, width: int, height: int) -> tuple[int, ...]:
+    """The shape of a buffer that holds values of a type: (H, W), or (H, W, C) for vectors."""
+    return (height, width) if CHANNELS[kind] == 1 else (height, width, CHANNELS[kind])
+
+
+def uniform_value(kind: Any, raw: Any) -> Any:
+    """A uniform as a value of the language."""
+    if get_origin(kind) is Array:
+        return Array(raw)
+    if kind in (mat3, mat4):
+        return kind(raw)
+    if isinstance(kind, type) and issubclass(kind, Vector):
+        return kind(*map(np.float32, raw))
+    return np.float32(raw) if kind is float else kind(raw)
+
+
+def buffer_value(kind: Any, buffer: np.ndarray, rows: np.ndarray, columns: np.ndarray) -> Any:
+    """A buffer as a value of the language: whole as a Texture, else the values at these pixels."""
+    if get_origin(kind) is Texture:
+        return Texture(buffer)
+    values = buffer[rows, columns]
+    if kind is bool:
+        return values != 0
+    return kind(*values.T) if CHANNELS[kind] > 1 else values
+
+
+def store(buffer: np.ndarray, rows: np.ndarray, columns: np.ndarray, value: Any) -> None:
+    """Write a value of the language into a buffer at these pixels."""
+    for channel, component in enumerate(components(value)):
+        at = (rows, columns) if buffer.ndim == 2 else (rows, columns, channel)
+        buffer[at] = component

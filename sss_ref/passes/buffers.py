@@ -1,0 +1,37 @@
+"""Every buffer of both methods: its unit, and what stands where nothing is drawn. The stages say the rest."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Buffer:
+    """A buffer's unit and space in words, and its background: a number, or the name of the uniform that gives it."""
+
+    unit: str
+    background: float | str = 0.0
+
+
+BUFFERS = {
+    "light_triangle": Buffer("triangle index in scene order", -1),
+    "light_depth": Buffer("window depth of the light's view, 0 to 1", 1.0),
+    "light_distance": Buffer("scene units from the light", "light_clear_distance"),
+    "triangle": Buffer("triangle index in scene order", -1),
+    "depth": Buffer("window depth of the camera's view, 0 to 1", 1.0),
+    "coverage": Buffer("1 where the model is drawn"),
+    "position_world": Buffer("scene units, world space"),
+    "normal_world": Buffer("unit vector, world space"),
+    "uv": Buffer("texture coordinates, origin at the bottom left"),
+    "albedo": Buffer("linear RGB"),
+    "shadow_uv": Buffer("texture coordinates on the shadow map", -1.0),
+    "shadow_valid": Buffer("1 where the shadow map knows the fragment"),
+    "stored_distance": Buffer("scene units from the light"),
+    "entry_point": Buffer("scene units, world space"),
+    "thickness": Buffer("scene units along the light's ray"),
+    "directly_lit": Buffer("1 where the light reaches the fragment"),
+    "incident_light": Buffer("linear RGB"),
+    "phong": Buffer("linear RGB"),
+    "translucency": Buffer("factor"),
+    "lit": Buffer("linear RGB"),
+    "scattered": Buffer("linear RGB"),
+    "image": Buffer("linear RGB", "background"),
+}

@@ -1,0 +1,24 @@
+"""The vertex shader of every draw of the mesh (paper 3.2)."""
+
+from typing import NamedTuple
+
+from sss_ref.language import mat3, mat4, stage, vec2, vec3, vec4
+
+
+class MeshVertex(NamedTuple):
+    """Where a vertex goes, and what is interpolated from it for each fragment."""
+
+    clip_position: vec4  # OpenGL clip space, -w <= x, y, z <= w
+    fragment_position: vec3  # world space, scene units
+    fragment_normal: vec3  # world space, not unit
+    fragment_uv: vec2  # origin at the bottom left
+
+
+@stage(source="paper 3.2: world coordinates pass from the vertex to the fragment shader")
+def mesh_vertex(
+    position: vec3, normal: vec3, uv: vec2, world_from_model: mat4, normal_from_model: mat3, clip_from_model: mat4
+) -> MeshVertex:
+    """One vertex of the mesh, seen from the light or from the camera."""
+    model = vec4(position, 1.0)
+    world = world_from_model * model
+    return MeshVertex(clip_from_model * model, world.xyz, normal_from_model * normal, uv)

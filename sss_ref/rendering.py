@@ -1,0 +1,161 @@
+"""Rendering: a method's passes, folded over a dictionary of buffers."""
+
+import os
+import time
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from concurrent.futures import Executor, ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sss_ref.errors import SceneError
+from sss_ref.interpret import arrays, kernel
+from sss_ref.interpret.finite import require_finite
+from sss_ref.interpret.work import CHANNELS, Fragments, Work, dtype_of, shape_of
+from sss_ref.language.pipeline import MeshDraw, Method, Pass, ScreenDraw
+from sss_ref.methods import method_of
+from sss_ref.passes.buffers import BUFFERS
+from sss_ref.raster.primitives import assemble
+from sss_ref.raster.rasterize import visibility
+from sss_ref.raster.viewport import Viewport
+from sss_ref.result import Result
+from sss_ref.scene.load import Scene
+from sss_ref.scene.uniforms import uniforms
+
+INTERPRETERS = {"kernel": kernel, "arrays": arrays}
+
+
+def render(
+    scene: Scene,
+    interpreter: str = "kernel",
+    threads: int | None = None,
+    keep: str | Iterable[str] = "all",
+    on_pass: Callable[[str], None] | None = None,
+) -> Result:
+    """Render a scene.
+
+    interpreter: "kernel" (compiled) or "arrays" (NumPy); the bits are the same.
+    threads: how many share the work (None: as many as there are processors); the bits are the same.
+    keep: "all" buffers, the "final" image, or a list of buffer names; only what is kept is written.
+    on_pass: called with the name of each pass before it runs.
+    Raises SceneError for an unknown interpreter or buffer, RenderError where a stage gives NaN or infinity.
+    """
+    if interpreter not in INTERPRETERS:
+        raise SceneError(f"interpreter: expected one of {', '.join(INTERPRETERS)}, got {interpreter!r}")
+    method = method_of(scene.settings)
+    with _pool(threads) as pool:
+        rendering = _Rendering(scene, INTERPRETERS[interpreter], pool, _kept(method, keep))
+        for one in method.passes:
+            if on_pass:
+                on_pass(one.name)
+            rendering.run(one, _needed_after(method, one))
+    buffers = {name: rendering.buffers[name] for name in method.outputs if name in rendering.kept}
+    return Result(scene, buffers, rendering.timings)
+
+
+@contextmanager
+def _pool(threads: int | None) -> Iterator[Executor | None]:
+    count = threads or os.cpu_count() or 1
+    if count == 1:
+        yield None
+        return
+    with ThreadPoolExecutor(count) as pool:
+        yield pool
+
+
+def _kept(method: Method, keep: str | Iterable[str]) -> set[str]:
+    """The names of the buffers to keep; raises SceneError for one the method does not have."""
+    known = set(method.outputs)
+    named = {"all": known, "final": {"image"}}.get(keep) if isinstance(keep, str) else set(keep)
+    if named is None or not named <= known:
+        wrong = keep if named is None else min(named - known)
+        raise SceneError(f'keep: expected "all", "final" or names of buffers, got {wrong!r}; known: {", ".join(known)}')
+    return named
+
+
+def _needed_after(method: Method, one: Pass) -> set[str]:
+    """What the passes after `one` read."""
+    later = method.passes[method.passes.index(one) + 1 :]
+    return {name for each in later for name in each.needs}
+
+
+@dataclass
+class _Rendering:
+    """One run through a method: what is there so far."""
+
+    scene: Scene
+    interpreter: Any
+    pool: Executor | None
+    kept: set[str]
+
+    def __post_init__(self) -> None:
+        self.uniforms = uniforms(self.scene)
+        self.buffers: dict[str, np.ndarray] = {}
+        self.timings: dict[str, float] = {}
+
+    def run(self, one: Pass, needed_later: set[str]) -> None:
+        """Run a pass: rasterize if it draws the mesh, then its stages; keep what is wanted of its buffers."""
+        start = time.perf_counter()
+        wanted = [name for name in one.outputs if name in self.kept | needed_later]
+        one = one.only(set(wanted))
+        width, height = self.size(one)
+        fragments, written = self.draw(one, width, height)
+        kinds = one.outputs
+        fresh = [name for name in wanted if name not in written]
+        outputs = {name: np.empty(shape_of(kinds[name], width, height), dtype_of(kinds[name])) for name in fresh}
+        backgrounds = {name: self.background(name, kinds[name]) for name in fresh}
+        work = Work(one, fragments, self.uniforms, dict(self.buffers), outputs, backgrounds)
+        self.interpreter.run_fragments(work, self.pool)
+        require_finite(work, self.pool)
+        self.buffers |= outputs | {name: buffer for name, buffer in written.items() if name in wanted}
+        self.drop(needed_later)
+        self.timings[one.name] = time.perf_counter() - start
+
+    def size(self, one: Pass) -> tuple[int, int]:
+        """Width and height of a pass's target, from the scene table of that name."""
+        table = getattr(self.scene.settings, one.target)
+        return table.width, table.height
+
+    def draw(self, one: Pass, width: int, height: int) -> tuple[Fragments, Mapping[str, np.ndarray]]:
+        """The fragments of a pass's draw, and the buffers that the rasterizer itself has written."""
+        if isinstance(one.draw, ScreenDraw):
+            stencil = self.buffers[one.draw.stencil] if one.draw.stencil else None
+            return Fragments(width, height, stencil=stencil), {}
+        varyings, columns = varying_columns(one)
+        clip_position, attributes = self.interpreter.run_vertices(one, self.mesh, self.uniforms, varyings, columns)
+        viewport = Viewport(width, height)
+        primitives = assemble(clip_position, attributes, self.scene.mesh.triangles, viewport)
+        piece, depth = visibility(primitives, viewport, self.pool)
+        return Fragments(width, height, primitives, piece, viewport.step, varyings), {one.draw.depth: depth}
+
+    @property
+    def mesh(self) -> dict[str, np.ndarray]:
+        """What the vertex stage reads of each vertex; a mesh without UVs has uv 0."""
+        mesh = self.scene.mesh
+        uv = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
+        return {"position": mesh.positions, "normal": mesh.normals, "uv": uv}
+
+    def background(self, name: str, kind: Any) -> np.ndarray:
+        """What a buffer holds where nothing is drawn, one value a channel."""
+        background = BUFFERS[name].background
+        value = self.uniforms[background] if isinstance(background, str) else background
+        return np.broadcast_to(value, CHANNELS[kind]).astype(dtype_of(kind))
+
+    def drop(self, needed_later: set[str]) -> None:
+        """Forget what nobody asks for any more."""
+        for name in set(self.buffers) - self.kept - needed_later:
+            del self.buffers[name]
+
+
+def varying_columns(one: Pass) -> tuple[dict[str, int], int]:
+    """The varyings that the stages of a pass read -> their first attribute column, and the number of columns."""
+    assert isinstance(one.draw, MeshDraw)
+    read = {name for stage in one.stages for name in stage.reads.values()}
+    columns, count = {}, 0
+    for name, kind in one.draw.varyings.items():
+        if name in read:
+            columns[name] = count
+            count += CHANNELS[kind]
+    return columns, count
