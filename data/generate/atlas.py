@@ -72,7 +72,8 @@ def packed(charts: list[Chart]) -> list[np.ndarray]:
     """Place the charts in turn, the first upright, so that the square around all stays smallest; uv in [0, 1]."""
     extent = sum(max(np.ptp(chart.uv, axis=0)) for chart in charts)
     taken = np.zeros((int(2 * extent / CELL),) * 2, bool)
-    placed, side = [], 0
+    placed: list[np.ndarray] = []
+    side = 0
     for chart in charts:
         angles = ANGLES if placed else ANGLES[:1]
         fits = [(*best_cell(taken, footprint(turned(chart.uv, a), chart.faces), side), a) for a in angles]

@@ -13,7 +13,7 @@ import numpy as np
 
 Points = np.ndarray  # (3, ...)
 Field = np.ndarray  # (...)
-Vector = Sequence[float]  # x, y, z
+Vector = Sequence[float] | np.ndarray  # x, y, z
 
 
 def from_origin(points: Points, origin: Vector) -> Points:
