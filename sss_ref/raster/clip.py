@@ -36,7 +36,8 @@ class Pieces(NamedTuple):
 def clip(clip_position: np.ndarray, attributes: np.ndarray, triangles: np.ndarray) -> Pieces:
     """Cut triangles (int32 (T, 3)) at the view volume; attributes (float32 (V, A)) are cut like positions (V, 4)."""
     order = np.arange(len(triangles), dtype=np.int32)
-    whole = whole_triangles(clip_position, triangles)
+    inside, whole = np.empty(len(clip_position), np.bool_), np.empty(len(triangles), np.bool_)
+    find_whole(clip_position, triangles, inside, whole)
     if whole.all():
         return Pieces(triangles, order, clip_position, attributes)
     sizes, vertices = cut_triangles(clip_position, attributes, triangles[~whole])
@@ -63,16 +64,13 @@ def fans(sizes: np.ndarray) -> np.ndarray:
 
 
 @compiled
-def whole_triangles(clip_position, triangles):
-    """Which triangles (T,) have all their corners inside all six planes."""
-    inside = np.empty(len(clip_position), np.bool_)
+def find_whole(clip_position, triangles, inside, whole):
+    """Fill in which vertices (V,) pass all six tests, and which triangles (T,) have three such corners."""
     for vertex in range(len(clip_position)):
         inside[vertex] = is_inside(clip_position[vertex])
-    whole = np.empty(len(triangles), np.bool_)
     for triangle in range(len(triangles)):
         a, b, c = triangles[triangle]
         whole[triangle] = inside[a] and inside[b] and inside[c]
-    return whole
 
 
 @compiled

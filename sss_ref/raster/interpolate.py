@@ -1,4 +1,4 @@
-"""Perspective-correct interpolation inside a piece (rule R5), compiled for one fragment and in NumPy for many.
+"""Perspective-correct interpolation inside a piece (rule R5): its weights, compiled, and all of it in NumPy.
 
 The exact edge functions e_i are taken positive inside, whichever way the piece turns, and rounded once to float32:
 
@@ -25,17 +25,6 @@ def barycentric(primitives, piece, column, row, step):
         np.float32(at(e1, column, row)) * inverse_w[corners[piece, 1]],
         np.float32(at(e2, column, row)) * inverse_w[corners[piece, 2]],
     )
-
-
-@compiled
-def interpolate(primitives, piece, weights, attribute):
-    """One attribute (a column of primitives.attributes), float32, under the weights of `barycentric`."""
-    corners, attributes = primitives.corners, primitives.attributes
-    w0, w1, w2 = weights
-    a0 = attributes[corners[piece, 0], attribute]
-    a1 = attributes[corners[piece, 1], attribute]
-    a2 = attributes[corners[piece, 2], attribute]
-    return ((a0 * w0 + a1 * w1) + a2 * w2) / ((w0 + w1) + w2)
 
 
 def interpolate_arrays(

@@ -40,23 +40,26 @@ def assemble(
     w <= 0 (the eye itself) or, where float32 overflows, beyond 2^24 snapped units. No culling: both sides are kept.
     """
     pieces = clip(clip_position, attributes, triangles)
-    snapped, depth, inverse_w = project(pieces.clip_position, viewport.width, viewport.height, viewport.step)
+    count = len(pieces.clip_position)
+    snapped, depth = np.zeros((count, 2), np.int32), np.zeros(count, np.float32)
+    inverse_w = np.zeros(count, np.float32)
+    project(pieces.clip_position, (viewport.width, viewport.height, viewport.step), snapped, depth, inverse_w)
     corners, triangle = pieces.corners, pieces.triangle
-    kept = drawable(corners, snapped, inverse_w)
+    kept = np.empty(len(corners), np.bool_)
+    find_drawable(corners, snapped, inverse_w, kept)
     if not kept.all():
         corners, triangle = corners[kept], triangle[kept]
     return Primitives(corners, triangle, snapped, depth, inverse_w, pieces.attributes)
 
 
 @compiled
-def project(clip_position, width, height, step):
-    """Snapped window positions (V, 2), window depths (V,) and 1/w (V,); all 0 where a vertex cannot be placed.
+def project(clip_position, size, snapped, depth, inverse_w):
+    """Fill in window positions (V, 2), window depths (V,) and 1/w (V,); 0 stays where a vertex cannot be placed.
 
     1/w, then x*(1/w), then *W/2 and +W/2, each rounded to float32; the snap rounds half to even.
+    size: (width, height, step).
     """
-    snapped = np.zeros((len(clip_position), 2), np.int32)
-    depth = np.zeros(len(clip_position), np.float32)
-    inverse_w = np.zeros(len(clip_position), np.float32)
+    width, height, step = size
     for vertex in range(len(clip_position)):
         if not clip_position[vertex, W] > 0:
             continue
@@ -67,7 +70,6 @@ def project(clip_position, width, height, step):
             snapped[vertex, 0], snapped[vertex, 1] = np.int32(x), np.int32(y)
             depth[vertex] = HALF * (clip_position[vertex, Z] * inverse) + HALF
             inverse_w[vertex] = inverse
-    return snapped, depth, inverse_w
 
 
 @compiled
@@ -79,12 +81,10 @@ def snap(ndc, size, step):
 
 
 @compiled
-def drawable(corners, snapped, inverse_w):
-    """Which pieces (P,) have three corners with a place in the window and an area."""
-    kept = np.empty(len(corners), np.bool_)
+def find_drawable(corners, snapped, inverse_w, kept):
+    """Fill in which pieces (P,) have three corners with a place in the window and an area."""
     for piece in range(len(corners)):
         a, b, c = corners[piece]
         placed = inverse_w[a] > 0 and inverse_w[b] > 0 and inverse_w[c] > 0
         area = twice_area(position(snapped, a), position(snapped, b), position(snapped, c))
         kept[piece] = placed and area != 0
-    return kept

@@ -54,23 +54,35 @@ def visibility(
     return target.piece, target.depth
 
 
-@compiled
-def bin_pieces(primitives, height, step, band_rows):
+def bin_pieces(primitives: Primitives, height: int, step: int, band_rows: int) -> Bins:
     """Sort the pieces into the bands they touch (counting sort, which keeps their order)."""
-    start = np.zeros((height - 1) // band_rows + 2, np.int64)
+    counts = np.zeros((height - 1) // band_rows + 2, np.int64)
+    count_members(primitives, (height, step, band_rows), counts[1:])
+    start = np.cumsum(counts)
+    members = np.empty(start[-1], np.int32)
+    list_members(primitives, (height, step, band_rows), start.copy(), members)
+    return Bins(start, members)
+
+
+@compiled
+def count_members(primitives, rows, counts):
+    """Add to `counts` (int64 (B,)) how many pieces touch each band; rows: (height, step, rows of a band)."""
+    height, step, band_rows = rows
     for piece in range(len(primitives.corners)):
         first, last = sampled(primitives, piece, 1, height, step)
         for band in range(first // band_rows, last // band_rows + 1):
-            start[band + 1] += 1
-    start = np.cumsum(start)
-    following = start.copy()
-    members = np.empty(start[-1], np.int32)
+            counts[band] += 1
+
+
+@compiled
+def list_members(primitives, rows, following, members):
+    """Write each piece into `members` where its bands go on: following (int64) starts as the bands' first places."""
+    height, step, band_rows = rows
     for piece in range(len(primitives.corners)):
         first, last = sampled(primitives, piece, 1, height, step)
         for band in range(first // band_rows, last // band_rows + 1):
             members[following[band]] = piece
             following[band] += 1
-    return Bins(start, members)
 
 
 @compiled

@@ -6,7 +6,7 @@ import naive_raster
 import numba
 import numpy as np
 
-from sss_ref.raster.interpolate import barycentric, interpolate, interpolate_arrays
+from sss_ref.raster.interpolate import barycentric, interpolate_arrays
 from sss_ref.raster.primitives import assemble
 from sss_ref.raster.rasterize import visibility
 
@@ -18,11 +18,15 @@ def assert_same_bits(actual, expected):
 
 @numba.njit(error_model="numpy")
 def interpolate_compiled(primitives, piece, column, row, step):
+    """Rule R5 with the compiled weights, in the form in which the kernels of a pass contain it."""
     values = np.empty((len(piece), primitives.attributes.shape[1]), np.float32)
     for k in range(len(piece)):
-        weights = barycentric(primitives, piece[k], column[k], row[k], step)
+        wa, wb, wc = barycentric(primitives, piece[k], column[k], row[k], step)
+        a, b, c = primitives.corners[piece[k]]
+        varying = primitives.attributes
         for attribute in range(values.shape[1]):
-            values[k, attribute] = interpolate(primitives, piece[k], weights, attribute)
+            total = (varying[a, attribute] * wa + varying[b, attribute] * wb) + varying[c, attribute] * wc
+            values[k, attribute] = total / ((wa + wb) + wc)
     return values
 
 

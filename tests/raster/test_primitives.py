@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from raster.proof import assert_same_bits
-from sss_ref.raster.primitives import assemble, project
+from sss_ref.raster.primitives import assemble
 from sss_ref.raster.viewport import Viewport
 
 
@@ -61,9 +61,9 @@ def test_huge_positions_keep_to_the_guard():
 def test_a_vertex_without_a_place_in_the_window_is_marked():
     limit = 2.0**24 / 512  # of x/w in a picture of 4 pixels: snapped = (2*x/w + 1.5)*256
     positions = [(limit - 2, 0, 0, 1), (limit, 0, 0, 1), (0, -2 * limit - 2, 0, 1), (0, 0, 0, -1), (np.nan, 0, 0, 1)]
-    snapped, _, inverse_w = project(np.array(positions, np.float32), 4, 2, 256)
-    assert inverse_w.tolist() == [1, 0, 0, 0, 0]
-    assert snapped.tolist() == [[2**24 - 640, 128], *[[0, 0]] * 4]
+    primitives = assembled(positions, triangles=())  # so nothing is clipped
+    assert primitives.inverse_w.tolist() == [1, 0, 0, 0, 0]
+    assert primitives.snapped.tolist() == [[2**24 - 640, 128], *[[0, 0]] * 4]
 
 
 def test_no_triangles():
