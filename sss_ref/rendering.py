@@ -16,7 +16,7 @@ from sss_ref.interpret.finite import require_finite
 from sss_ref.interpret.work import CHANNELS, Fragments, Work, dtype_of, shape_of
 from sss_ref.language.pipeline import MeshDraw, Method, Pass, ScreenDraw
 from sss_ref.methods import method_of
-from sss_ref.passes.buffers import BUFFERS
+from sss_ref.passes.buffers import described
 from sss_ref.raster.primitives import assemble
 from sss_ref.raster.rasterize import visibility
 from sss_ref.raster.viewport import Viewport
@@ -38,7 +38,8 @@ def render(
 
     interpreter: "kernel" (compiled) or "arrays" (NumPy); the bits are the same.
     threads: how many share the work (None: as many as there are processors); the bits are the same.
-    keep: "all" buffers, the "final" image, or a list of buffer names; only what is kept is written.
+    keep: "all" buffers, the "final" image, or a list of names; only what is kept is written. The name "taps" stands for
+        the single taps of the blur, tap_00, tap_01 and so on, which "all" leaves out.
     on_pass: called with the name of each pass before it runs.
     Raises SceneError for an unknown interpreter or buffer, RenderError where a stage gives NaN or infinity.
     """
@@ -47,11 +48,12 @@ def render(
     method = method_of(scene.settings)
     with _pool(threads) as pool:
         rendering = _Rendering(scene, INTERPRETERS[interpreter], pool, _kept(method, keep))
-        for one in method.passes:
+        needed = method.only(rendering.kept)
+        for one in needed.passes:
             if on_pass:
                 on_pass(one.name)
-            rendering.run(one, _needed_after(method, one))
-    buffers = {name: rendering.buffers[name] for name in method.outputs if name in rendering.kept}
+            rendering.run(one, _needed_after(needed, one))
+    buffers = {name: rendering.buffers[name] for one in method.passes for name in one.outputs if name in rendering.kept}
     return Result(scene, buffers, rendering.timings)
 
 
@@ -67,12 +69,12 @@ def _pool(threads: int | None) -> Iterator[Executor | None]:
 
 def _kept(method: Method, keep: str | Iterable[str]) -> set[str]:
     """The names of the buffers to keep; raises SceneError for one the method does not have."""
-    known = set(method.outputs)
-    named = {"all": known, "final": {"image"}}.get(keep) if isinstance(keep, str) else set(keep)
-    if named is None or not named <= known:
-        wrong = keep if named is None else min(named - known)
-        raise SceneError(f'keep: expected "all", "final" or names of buffers, got {wrong!r}; known: {", ".join(known)}')
-    return named
+    named = {"all": list(method.outputs), "final": ["image"]}.get(keep, [keep]) if isinstance(keep, str) else list(keep)
+    known = {name: [name] for one in method.passes for name in one.outputs} | method.on_demand
+    for wrong in (name for name in named if name not in known):
+        listed = ", ".join([*method.outputs, *method.on_demand])
+        raise SceneError(f'keep: expected "all", "final" or names of buffers ({listed}), got {wrong!r}')
+    return {buffer for name in named for buffer in known[name]}
 
 
 def _needed_after(method: Method, one: Pass) -> set[str]:
@@ -99,7 +101,6 @@ class _Rendering:
         """Run a pass: rasterize if it draws the mesh, then its stages; keep what is wanted of its buffers."""
         start = time.perf_counter()
         wanted = [name for name in one.outputs if name in self.kept | needed_later]
-        one = one.only(set(wanted))
         width, height = self.size(one)
         fragments, written = self.draw(one, width, height)
         kinds = one.outputs
@@ -107,8 +108,9 @@ class _Rendering:
         outputs = {name: np.empty(shape_of(kinds[name], width, height), dtype_of(kinds[name])) for name in fresh}
         backgrounds = {name: self.background(name, kinds[name]) for name in fresh}
         work = Work(one, fragments, self.uniforms, dict(self.buffers), outputs, backgrounds)
-        self.interpreter.run_fragments(work, self.pool)
-        require_finite(work, self.pool)
+        if outputs:  # else the rasterizer has written all that is wanted
+            self.interpreter.run_fragments(work, self.pool)
+            require_finite(work, self.pool)
         self.buffers |= outputs | {name: buffer for name, buffer in written.items() if name in wanted}
         self.drop(needed_later)
         self.timings[one.name] = time.perf_counter() - start
@@ -139,7 +141,7 @@ class _Rendering:
 
     def background(self, name: str, kind: Any) -> np.ndarray:
         """What a buffer holds where nothing is drawn, one value a channel."""
-        background = BUFFERS[name].background
+        background = described(name).background
         value = self.uniforms[background] if isinstance(background, str) else background
         return np.broadcast_to(value, CHANNELS[kind]).astype(dtype_of(kind))
 

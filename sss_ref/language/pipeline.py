@@ -55,12 +55,16 @@ class ScreenDraw:
 
 @dataclass(frozen=True)
 class Pass:
-    """Stages that run one after the other on every fragment of one draw; `target` names the size: a scene table."""
+    """Stages that run one after the other on every fragment of one draw.
+
+    target: the scene table that has its width and height. on_demand: not part of "all" buffers, run if asked for.
+    """
 
     name: str
     target: str
     draw: MeshDraw | ScreenDraw
     stages: tuple[Stage, ...]
+    on_demand: bool = False
 
     @property
     def outputs(self) -> dict[str, Any]:
@@ -101,5 +105,20 @@ class Method:
 
     @property
     def outputs(self) -> Mapping[str, Any]:
-        """Buffer -> type of everything the method can write, in order."""
-        return {name: kind for one in self.passes for name, kind in one.outputs.items()}
+        """Buffer -> type of everything the method writes unless told otherwise, in order."""
+        return {name: kind for one in self.passes if not one.on_demand for name, kind in one.outputs.items()}
+
+    def only(self, wanted: set[str]) -> "Method":
+        """The same method with just the passes and stages that `wanted` buffers depend on."""
+        needed = set(wanted)
+        passes: list[Pass] = []
+        for one in reversed(self.passes):
+            if needed & set(one.outputs):
+                passes.insert(0, one.only(needed))
+                needed |= passes[0].needs
+        return replace(self, passes=tuple(passes))
+
+    @property
+    def on_demand(self) -> dict[str, list[str]]:
+        """Pass -> its buffers, of the passes that run only if asked for."""
+        return {one.name: list(one.outputs) for one in self.passes if one.on_demand}

@@ -1,5 +1,6 @@
 """Screen-space subsurface scattering (paper 2.1 and 3.2): shadow map, camera, blur, composite."""
 
+from sss_ref.language import Stage
 from sss_ref.language.pipeline import MeshDraw, Method, Pass, ScreenDraw
 from sss_ref.passes import blur, composite, phong, shadow_map, translucency
 from sss_ref.passes.camera import surface
@@ -27,6 +28,12 @@ CAMERA_VIEW = MeshDraw(
 )
 
 
+def single_taps(settings: SceneFile) -> tuple[Stage, ...]:
+    """The stage `single_tap` once for each row of the kernel, writing tap_00, tap_01 and so on."""
+    names = [f"tap_{number:02}" for number in range(len(settings.blur.taps))]
+    return tuple(blur.single_tap.bound(tap=name, offset=f"{name}_offset", weight=f"{name}_weight") for name in names)
+
+
 def screen_space(settings: SceneFile) -> Method:
     """The four passes, each named alternative of the scene file put in as the stage it stands for."""
     masked = settings.blur.mask != "none"
@@ -50,6 +57,7 @@ def screen_space(settings: SceneFile) -> Method:
                 ),
             ),
             Pass("blur", "camera", ScreenDraw("coverage" if masked else ""), (BLUR[settings.blur.mask],)),
+            Pass("taps", "camera", ScreenDraw("coverage" if masked else ""), single_taps(settings), on_demand=True),
             Pass("composite", "camera", ScreenDraw(), (composite.over_background if masked else composite.glow,)),
         ),
     )

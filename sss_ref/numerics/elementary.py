@@ -15,8 +15,8 @@ Error analysis, with u = 2^-53, the relative error of one float64 operation:
   otherwise |T| <= 1/2 <= |e + T|; |e + T| <= |log2 x| + |p| and |p| < .54 |log2 x|. Together below 6 u|log2 x|.
 * 2^t = 2^q * 2^(j/32) * 2^f with f = t - (q + j/32) exact and |f| <= 1/64: the table, the last sum and the polynomial,
   which is below .011, cost 2.2 u.
-* x^y: t = y * log2 x errs by at most 7 u|t|, exp(x): t = x * log2 e by 2.1 u|t|; this changes 2^t by the factor
-  1 + ln 2 times as much. Rounding the ends of the interval adds u.
+* x^y = 2^t: t = y * log2 x errs by at most 7 u|t|, for e^x t = x * log2 e by 2.1 u|t|; relative to 2^t that is
+  ln 2 = .69 times as much. Rounding the ends of the interval adds u.
 
 So log2 errs by less than 2^-50 |log2 x| and 2^t by less than 2^-50 (|t| + 1) 2^t: the bounds below.
 

@@ -53,6 +53,18 @@ def scatter(
     return Scattered(total)
 
 
+class Tap(NamedTuple):
+    """What one tap adds to the sum."""
+
+    tap: vec3  # linear RGB
+
+
+@stage(source="paper 3.2, Table 1, one row")
+def single_tap(lit: Texture[vec3], pixel: ivec2, offset: vec2, weight: vec3, pixel_scale: float) -> Tap:
+    """One summand of `scatter`: the sample at the tap's offset, times its weight."""
+    return Tap(tap_sample(lit, pixel, offset * pixel_scale) * weight)
+
+
 @function
 def covered(coverage: Texture[bool], at: ivec2) -> float:
     """1 where the model covers a pixel, else 0; clamped to the edge."""

@@ -34,4 +34,10 @@ BUFFERS = {
     "lit": Buffer("linear RGB"),
     "scattered": Buffer("linear RGB"),
     "image": Buffer("linear RGB", "background"),
+    "tap": Buffer("linear RGB, one tap's share of the blur"),
 }
+
+
+def described(name: str) -> Buffer:
+    """The entry of a buffer; those of a kind are numbered: tap_00, tap_01 ..."""
+    return BUFFERS[name] if name in BUFFERS else BUFFERS[name.rstrip("0123456789").rstrip("_")]

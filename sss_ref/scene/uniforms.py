@@ -40,6 +40,8 @@ def uniforms(scene: Scene) -> dict[str, Any]:
         "tap_offset": taps[:, :2],
         "tap_weight": taps[:, 2:],
         "background": settings.output.background,
+        **{f"tap_{number:02}_offset": tap[:2] for number, tap in enumerate(taps)},
+        **{f"tap_{number:02}_weight": tap[2:] for number, tap in enumerate(taps)},
     }
     rounded = {name: np.array(value, np.float32, order="C") for name, value in values.items()}
     return {name: value if value.ndim else value[()] for name, value in rounded.items()} | {"tap_count": len(taps)}

@@ -1,0 +1,219 @@
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from sss_ref import cli
+from sss_ref.cli import main
+from sss_ref.errors import SceneError
+from sss_ref.io import verify as verify_module
+from sss_ref.io.manifest import read_manifest
+from sss_ref.io.verify import Verdict
+from sss_ref.scene import shipped
+
+TETRAHEDRON = """v 0 0 0
+v 1 0 0
+v 0 1 0
+v 0 0 1
+f 1 3 2
+f 1 2 4
+f 1 4 3
+f 2 3 4
+"""
+
+SCENE = """# A tetrahedron for tests.
+[mesh]
+path = "tetrahedron"
+[camera]
+type = "orbit"
+distance = 3
+width = 64
+height = 64
+[shadow_map]
+width = 64
+height = 64
+[[lights]]
+position = [2, 3, 4]
+"""
+
+
+@pytest.fixture(autouse=True)
+def data_folder(tmp_path_factory, monkeypatch):
+    """Stands in for the shipped data."""
+    folder = tmp_path_factory.mktemp("data")
+    (folder / "meshes").mkdir()
+    (folder / "scenes").mkdir()
+    (folder / "meshes" / "tetrahedron.obj").write_text(TETRAHEDRON)
+    (folder / "scenes" / "default.toml").write_text(SCENE)
+    (folder / "scenes" / "uncommented.toml").write_text(SCENE.partition("\n")[2])
+    monkeypatch.setattr(shipped, "data_folder", lambda: folder)
+    return folder
+
+
+@pytest.fixture
+def out(tmp_path):
+    return tmp_path / "out"
+
+
+def test_render_then_verify(out, capsys):
+    assert main(["render", "-o", str(out)]) == 0
+    told = capsys.readouterr().out
+    manifest = read_manifest(out)
+    assert manifest.scene.source == "default"
+    assert [word for word in ("shadow_map", "camera", "blur", "composite") if f"│ {word} " in told] == list(
+        manifest.milliseconds
+    )
+    for record in manifest.buffers:
+        assert re.search(rf"│ {record.name} +│ {record.sha256[:12]} │", told)
+    assert f"{out}: open overview.png first" in told
+    assert main(["verify", str(out)]) == 0
+    assert capsys.readouterr().out == "verified: 22 buffers equal in every bit\n"
+
+
+def test_options_reach_scene_and_manifest(out):
+    arguments = ["--set", "camera.distance=4", "--set", "mesh.path=tetrahedron", "default", "--preset", "robust"]
+    arguments += ["--size", "24x16", "--interpreter", "arrays", "--threads", "1", "--method", "screen_space"]
+    assert main(["render", *arguments, "-o", str(out), "--keep", "final"]) == 0
+    manifest = read_manifest(out)
+    settings = manifest.scene.settings
+    assert (settings["camera"]["distance"], settings["preset"], settings["blur"]["mask"]) == (4.0, "robust", "taps")
+    assert (settings["camera"]["width"], settings["camera"]["height"]) == (24, 16)
+    assert (manifest.interpreter, manifest.threads) == ("arrays", 1)
+    assert [record.name for record in manifest.buffers] == ["image"]
+
+
+def test_until(out):
+    assert main(["render", "-o", str(out), "--interpreter", "arrays", "--until", "surface"]) == 0
+    names = [record.name for record in read_manifest(out).buffers]
+    assert names[-1] == "albedo" and "shadow_uv" not in names
+    assert not (out / "image.png").exists()
+
+
+def test_verify_tells_a_difference_by_its_exit_code(out, capsys, monkeypatch):
+    monkeypatch.setattr(verify_module, "verify", lambda *_: Verdict(False, "computation differs: [red]"))
+    assert main(["verify", str(out)]) == 1
+    assert capsys.readouterr().out == "computation differs: [red]\n"
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        (["render", "nowhere"], "error: nowhere: expected a scene file or a shipped scene (default, uncommented), got"),
+        (["render", "--set", "camera.widht=3"], "override: camera.widht: expected a known key, got this one; did"),
+        (["render", "--set", "camera.width"], "--set: expected key.path=value, got 'camera.width'; write it as"),
+        (["render", "--set", "=3"], "--set: expected key.path=value, got '=3'"),
+        (["render", "--set", "camera.width=abc"], 'override: camera.width: expected a whole number, got "abc"'),
+        (["render", "--size", "512"], "--size: expected WIDTHxHEIGHT, got '512'; write it as 512x512"),
+        (["render", "--size=-1x2"], "--size: expected WIDTHxHEIGHT, got '-1x2'"),
+        (["render", "--size", "0x9"], "override: camera.width: expected"),
+        (["render", "--threads", "0"], "--threads: expected at least 1, got 0"),
+        (["render", "--until", "dawn"], "until: expected a pass, a stage or a buffer"),
+        (["render", "--until", "lit", "--keep", "final"], "--until: expected without --keep final, got both"),
+        (["render", "--preset", "nice"], 'preset: expected "paper" or "robust", got "nice"'),
+        (["render", "--keep", "most"], 'Invalid value "most" for --keep'),
+        (["render", "--bogus"], 'Unknown option: --bogus'),
+        (["paint"], 'Unknown command "paint"'),
+        (["verify", "."], "manifest.json: expected a folder written by sss-ref render"),
+        (["verify"], "requires an argument"),
+    ],
+)  # fmt: skip
+def test_bad_input_is_told_in_one_message(out, capsys, monkeypatch, tmp_path, arguments, message):
+    monkeypatch.chdir(tmp_path)
+    assert main([*arguments, "-o", str(out)] if arguments[0] == "render" else arguments) == 2
+    told = capsys.readouterr()
+    assert message in " ".join(told.err.split()) and told.out == ""
+    assert "Traceback" not in told.err
+    assert os.listdir(tmp_path) == []
+
+
+def test_foreign_folder_is_refused_before_anything_is_rendered(tmp_path, capsys, monkeypatch):
+    (tmp_path / "letter.txt").write_text("dear")
+    monkeypatch.setattr("sss_ref.scene.load.load_scene", lambda *_, **__: pytest.fail("loaded"))
+    assert main(["render", "-o", str(tmp_path)]) == 2
+    assert "got other files; move them" in capsys.readouterr().err
+    assert os.listdir(tmp_path) == ["letter.txt"]
+
+
+def test_file_in_the_way(tmp_path, capsys):
+    (tmp_path / "file").write_text("")
+    assert main(["render", "-o", str(tmp_path / "file" / "out")]) == 2
+    assert "expected a place to write to" in capsys.readouterr().err
+
+
+def test_warnings_go_to_stderr(out, capsys):
+    inside = ["--set", 'camera={type="look_at", eye=[0.1, 0.1, 0.1], target=[1, 1, 1], width=8, height=8}']
+    assert main(["render", "-o", str(out), "--interpreter", "arrays", *inside]) == 0
+    told = capsys.readouterr()
+    assert told.err.startswith("warning: camera: it is inside the mesh") and "inside the mesh" not in told.out
+
+
+def test_scenes_are_listed_with_their_first_comment(capsys):
+    assert main(["scenes"]) == 0
+    lines = [line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()]
+    assert [list(map(str.strip, line)) for line in lines] == [["default", "A tetrahedron for tests."], ["uncommented"]]
+
+
+def test_warmup_compiles_every_preset(capsys, monkeypatch):
+    from sss_ref import rendering
+
+    render, seen = rendering.render, []
+
+    def watched(scene, **options):
+        seen.append((scene.settings.preset, options["keep"]))
+        return render(scene, **options)
+
+    monkeypatch.setattr(rendering, "render", watched)
+    assert main(["warmup"]) == 0
+    assert seen == [(preset, keep) for preset in ("paper", "robust") for keep in ("all", "final")]
+    assert re.match(r"kernels ready after \d+\.\d s, kept in .+\n", capsys.readouterr().out)
+
+
+def test_cold_cache_is_announced(out, capsys, monkeypatch):
+    for cold, told in ((True, "compiling kernels (once per version; about 15 s) ...\n"), (False, "")):
+        monkeypatch.setattr("sss_ref.compiled.is_cold", lambda cold=cold: cold)
+        assert main(["render", "nowhere", "-o", str(out)]) == 2
+        assert capsys.readouterr().err.partition("error:")[0] == told
+
+
+def test_interrupt(monkeypatch, out):
+    def interrupted(*_, **__):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("sss_ref.scene.load.load_scene", interrupted)
+    with pytest.raises(SystemExit) as exit_:
+        main(["render", "-o", str(out)])
+    assert exit_.value.code == 130
+
+
+def test_as_a_process(tmp_path):
+    environment = {**os.environ, "PYTHONPATH": str(Path(cli.__file__).parents[1])}
+    command = [sys.executable, "-m", "sss_ref.cli", "render", "nowhere.toml", "-o", str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
+    assert done.returncode == 2 and done.stdout == ""
+    assert "error: nowhere.toml: expected a scene file" in done.stderr and "Traceback" not in done.stderr
+
+
+def test_help_and_import_load_no_heavy_library():
+    code = "import sys; from sss_ref.cli import main; main(['--help']); print({'numba', 'trimesh'} & set(sys.modules))"
+    environment = {**os.environ, "PYTHONPATH": str(Path(cli.__file__).parents[1])}
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment, check=True)
+    assert done.stdout.endswith("set()\n") and "warmup" in done.stdout
+
+
+def test_values_of_set_are_toml_or_text():
+    changes = cli.Changes(set=("a.b=1", "c=[1, 2.5]", "d=true", 'e="x"', "f=plain text", "g=h=i"))
+    expected = {"a.b": 1, "c": [1, 2.5], "d": True, "e": "x", "f": "plain text", "g": "h=i"}
+    assert changes.overrides() == expected
+
+
+def test_set_wins_over_size():
+    assert cli.Changes(set=("camera.width=7",), size="3x4").overrides() == {"camera.width": 7, "camera.height": 4}
+
+
+def test_threads_are_counted_from_one():
+    assert cli.Execution(threads=1).threads == 1
+    with pytest.raises(SceneError):
+        cli.Execution(threads=-1)
