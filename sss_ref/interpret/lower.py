@@ -17,8 +17,8 @@ NATIVE = {"&": "and", "|": "or"}
 TEMPLATES = {
     "sqrt": "np.sqrt({0})",
     "floor": "np.floor({0})",
-    "min": "({1} if {1} < {0} else {0})",
-    "max": "({1} if {0} < {1} else {0})",
+    "min": "min({0}, {1})",  # Python's own, compiled or not, is rule A1's y < x ? y : x
+    "max": "max({0}, {1})",
     "pow": "pow_scalar({0}, {1})",
     "exp": "exp_scalar({0})",
     "exp2": "exp2_scalar({0})",
@@ -27,7 +27,6 @@ TEMPLATES = {
     "float32": "np.float32({0})",
     "int32": "np.int64({0})",
 }
-REPEATS = {"min", "max"}  # templates that mention an argument twice: it must be a name
 
 
 @dataclass(frozen=True)
@@ -264,8 +263,6 @@ class Lowering:
         """A primitive, component by component; a scalar beside a vector serves every component."""
         count = max(len(argument) for argument in arguments)
         columns = [self.spread(argument * count) if len(argument) < count else argument for argument in arguments]
-        if name in REPEATS:
-            columns = [[self.lines.atom(self.prefix + name, value) for value in column] for column in columns]
         return [self.lines.join(TEMPLATES[name], *row) for row in zip(*columns, strict=True)]
 
     def texture(self, name: str, values: list[Value]) -> list[Scalar]:

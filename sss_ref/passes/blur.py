@@ -10,6 +10,7 @@ from sss_ref.language import (
     Array,
     Texture,
     bilinear_blend,
+    constant,
     floor,
     function,
     ivec2,
@@ -22,6 +23,8 @@ from sss_ref.language import (
     vec3,
     whole_part,
 )
+
+EMPTY_SUM = constant(-0.0)  # -0 + x is x for every x, so a sum from here has the bits of one from its first term
 
 
 class Scattered(NamedTuple):
@@ -46,9 +49,9 @@ def scatter(
     tap_count: int,
     pixel_scale: float,
 ) -> Scattered:
-    """The weighted sum of all taps, starting with the first."""
-    total = tap_sample(lit, pixel, tap_offset[0] * pixel_scale) * tap_weight[0]
-    for tap in range(1, tap_count):
+    """The weighted sum of all taps, in order."""
+    total = vec3(EMPTY_SUM, EMPTY_SUM, EMPTY_SUM)
+    for tap in range(0, tap_count):
         total = total + tap_sample(lit, pixel, tap_offset[tap] * pixel_scale) * tap_weight[tap]
     return Scattered(total)
 
@@ -69,6 +72,25 @@ def single_tap(lit: Texture[vec3], pixel: ivec2, offset: vec2, weight: vec3, pix
 def covered(coverage: Texture[bool], at: ivec2) -> float:
     """1 where the model covers a pixel, else 0; clamped to the edge."""
     return select(texel_clamped(coverage, at), 1.0, 0.0)
+
+
+@function
+def lit_inside(lit: Texture[vec3], coverage: Texture[bool], at: ivec2) -> vec3:
+    """The lit model at a texel, black beside it; clamped to the edge."""
+    return texel_clamped(lit, at) * covered(coverage, at)
+
+
+@function
+def tap_inside(lit: Texture[vec3], coverage: Texture[bool], pixel: ivec2, offset: vec2) -> vec3:
+    """As tap_sample, of the lit model without whatever stands beside it."""
+    corner = pixel + whole_part(offset)
+    return bilinear_blend(
+        lit_inside(lit, coverage, corner),
+        lit_inside(lit, coverage, corner + ivec2(1, 0)),
+        lit_inside(lit, coverage, corner + ivec2(0, 1)),
+        lit_inside(lit, coverage, corner + ivec2(1, 1)),
+        vec2(offset.x - floor(offset.x), offset.y - floor(offset.y)),
+    )
 
 
 @function
@@ -104,12 +126,12 @@ def scatter_inside(
     tap_count: int,
     pixel_scale: float,
 ) -> Scattered:
-    """The blur that lets no background in: taps count by how much of them lies on the model (lit is 0 beside it)."""
-    total = tap_sample(lit, pixel, tap_offset[0] * pixel_scale) * tap_weight[0]
-    kept = tap_weight[0] * tap_coverage(coverage, pixel, tap_offset[0] * pixel_scale)
-    all_weights = tap_weight[0]
-    for tap in range(1, tap_count):
-        total = total + tap_sample(lit, pixel, tap_offset[tap] * pixel_scale) * tap_weight[tap]
+    """The blur that lets no background in: a tap counts by how much of it lies on the model."""
+    total = vec3(EMPTY_SUM, EMPTY_SUM, EMPTY_SUM)
+    kept = vec3(EMPTY_SUM, EMPTY_SUM, EMPTY_SUM)
+    all_weights = vec3(EMPTY_SUM, EMPTY_SUM, EMPTY_SUM)
+    for tap in range(0, tap_count):
+        total = total + tap_inside(lit, coverage, pixel, tap_offset[tap] * pixel_scale) * tap_weight[tap]
         kept = kept + tap_weight[tap] * tap_coverage(coverage, pixel, tap_offset[tap] * pixel_scale)
         all_weights = all_weights + tap_weight[tap]
     return Scattered(renormalized(total, kept, all_weights, texel(lit, pixel)))

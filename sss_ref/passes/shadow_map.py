@@ -147,13 +147,14 @@ def directly_lit_slope(
     """Lit if it faces the light and lies no further behind the stored surface than one texel's footprint explains.
 
     A texel at clip depth w covers w * light_texel_size; a surface tilted by the angle a falls away across it by
-    tan(a) = sqrt(1 - c*c)/c, with c the cosine to the light.
+    tan(a) = sqrt(1 - c*c)/c, with c the cosine to the light. Behind the light (w < 0), where its map knows nothing,
+    the light still shines: no bias, and nothing stored to lie behind of.
     """
     to_light = normalize(light_position - position_world)
     facing = dot(normal_world, to_light)
     clip = light_clip_from_world * vec4(position_world, 1.0)
     cosine = min(max(max(facing, -facing), MIN_COSINE), 1.0)
-    texel_width = clip.w * light_texel_size
+    texel_width = max(clip.w, 0.0) * light_texel_size
     bias = bias_abs + bias_slope * (texel_width * (1.0 + sqrt(1.0 - cosine * cosine) / cosine))
     behind = length(position_world - light_position) - stored_distance
     return DirectlyLit((facing > 0.0) & (behind <= bias))

@@ -1,0 +1,56 @@
+"""The vertex stage: worked by hand, and the three ways of running it."""
+
+import numpy as np
+import pytest
+
+from passes import naive_stages
+from passes.one_stage import assert_same_bits, call
+from sss_ref.interpret import arrays, kernel
+from sss_ref.language.pipeline import MeshDraw, Pass
+from sss_ref.passes.vertex import mesh_vertex
+
+VARYINGS = {"fragment_position": 0, "fragment_normal": 3, "fragment_uv": 6}
+
+
+def test_mesh_vertex():
+    clip_position, position, normal, uv = call(
+        mesh_vertex,
+        position=(1, 2, 3),
+        normal=(0, 0, 1),
+        uv=(0.25, 0.75),
+        # Twice as large, then moved by (10, 20, 30): (12, 24, 36).
+        world_from_model=[[2, 0, 0, 10], [0, 2, 0, 20], [0, 0, 2, 30], [0, 0, 0, 1]],
+        # Its third column.
+        normal_from_model=[[1, 2, 3], [4, 5, 6], [7, 8, 9]],
+        # Rows times (1, 2, 3, 1): 1 + 2 + 3 + 1 = 7, 2*2 = 4, -3 + .5 = -2.5, -3.
+        clip_from_model=[[1, 1, 1, 1], [0, 2, 0, 0], [0, 0, -1, 0.5], [0, 0, -1, 0]],
+    )
+    assert clip_position == (7, 4, -2.5, -3)
+    assert position == (12, 24, 36)
+    assert normal == (3, 6, 9)
+    assert uv == (0.25, 0.75)
+
+
+def random_mesh(seed):
+    rng = np.random.default_rng(seed)
+    counts = {"position": 3, "normal": 3, "uv": 2}
+    mesh = {name: rng.normal(size=(100, count)).astype(np.float32) for name, count in counts.items()}
+    for vertices in mesh.values():
+        vertices[:20] = rng.choice(np.float32([0, -0.0, 1, 1e-30]), vertices[:20].shape)
+    sizes = {"world_from_model": 4, "normal_from_model": 3, "clip_from_model": 4}
+    matrices = {name: rng.normal(size=(size, size)).astype(np.float32) for name, size in sizes.items()}
+    return mesh, matrices
+
+
+@pytest.mark.parametrize("interpreter", [arrays, kernel])
+def test_both_interpreters_give_the_bits_of_the_naive_form(interpreter):
+    mesh, matrices = random_mesh(seed=3)
+    one = Pass("vertices", "", MeshDraw(mesh_vertex, "triangle", "depth"), ())
+    clip_position, attributes = interpreter.run_vertices(one, mesh, matrices, VARYINGS, 8)
+    clip_expected, attributes_expected = [], []
+    for position, normal, uv in zip(*map(list, mesh.values()), strict=True):
+        clip, *varyings = naive_stages.mesh_vertex(position, normal, uv, **matrices)
+        clip_expected.append(clip)
+        attributes_expected.append(np.concatenate(varyings))
+    assert_same_bits({"clip": clip_position}, {"clip": np.array(clip_expected)})
+    assert_same_bits({"varyings": attributes}, {"varyings": np.array(attributes_expected)})
