@@ -1,4 +1,4 @@
-"""Times a warm rendering, every buffer kept: python benchmarks/render.py [--size 1024] [--triangles 100000] [--threads 2].
+"""Times a warm rendering, every buffer kept: python benchmarks/render.py --size 1024 --triangles 100000.
 
 Prints the machine, then per pass the median and the fastest of several renderings, in milliseconds.
 """

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 DIFFERS, BAD_INPUT = 1, 2  # exit codes other than 0
 PATIENCE = 1.0  # seconds of work before its progress is shown
 HASH_DIGITS = 12
+CUTTING_FAR = 4.2  # scene units: a far plane through the middle of the default scene's mesh
 
 PURPOSE = "The CPU reference for real-time subsurface scattering."
 
@@ -87,7 +88,7 @@ def render(
 ) -> int:
     """Render a scene into a folder of pictures, buffers and hashes."""
     from sss_ref.io.folder import checked_target, save
-    from sss_ref.methods import method_of
+    from sss_ref.methods.catalogue import method_of
     from sss_ref.methods.until import buffers_until
     from sss_ref.rendering import render as render_scene
     from sss_ref.scene.load import load_scene
@@ -152,12 +153,14 @@ def warmup() -> int:
     from sss_ref.scene.presets import PRESETS
 
     small = {f"{table}.{side}": 64 for table in ("camera", "shadow_map") for side in ("width", "height")}
+    variants: list[dict[str, Any]] = [{"preset": preset} for preset in PRESETS]
+    variants.append({"camera.far": CUTTING_FAR})  # so that the clipper is compiled as well
     start = time.perf_counter()
     with _progress("compiling kernels") as show:
-        for preset in PRESETS:
-            scene = load_scene("default", preset=preset, **small)
+        for variant in variants:
+            scene = load_scene("default", **small, **variant)
             for keep in ("all", "final"):
-                show(f"compiling kernels: preset {preset}, {keep}")
+                show(f"compiling kernels: {scene.settings.preset}, {keep}")
                 render_scene(scene, keep=keep)
     place = cache_folder() or "nowhere: no folder can be written to, see SSS_REF_CACHE_DIR"
     out.print(f"kernels ready after {time.perf_counter() - start:.1f} s, kept in {escape(str(place))}")
@@ -222,7 +225,7 @@ def _progress(first: str) -> Iterator[Callable[[str], None]]:
 
 def _table_of_passes(result: "Result") -> Table:
     """One row a pass: its duration, its buffers and the first digits of their hashes."""
-    from sss_ref.methods import method_of
+    from sss_ref.methods.catalogue import method_of
 
     table = Table("pass", "ms", "buffer", "sha256")
     table.columns[1].justify = "right"

@@ -15,7 +15,7 @@ from sss_ref.interpret import arrays, kernel
 from sss_ref.interpret.finite import require_finite
 from sss_ref.interpret.work import CHANNELS, Fragments, Work, dtype_of, shape_of
 from sss_ref.language.pipeline import MeshDraw, Method, Pass, ScreenDraw
-from sss_ref.methods import method_of
+from sss_ref.methods.catalogue import method_of
 from sss_ref.passes.buffers import described
 from sss_ref.raster.primitives import assemble
 from sss_ref.raster.rasterize import visibility

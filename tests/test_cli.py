@@ -162,12 +162,13 @@ def test_warmup_compiles_every_preset(capsys, monkeypatch):
     render, seen = rendering.render, []
 
     def watched(scene, **options):
-        seen.append((scene.settings.preset, options["keep"]))
+        seen.append((scene.settings.preset, scene.camera.far, options["keep"]))
         return render(scene, **options)
 
     monkeypatch.setattr(rendering, "render", watched)
     assert main(["warmup"]) == 0
-    assert seen == [(preset, keep) for preset in ("paper", "robust") for keep in ("all", "final")]
+    variants = ("paper", 100.0), ("robust", 100.0), ("paper", 4.2)
+    assert seen == [(preset, far, keep) for preset, far in variants for keep in ("all", "final")]
     assert re.match(r"kernels ready after \d+\.\d s, kept in .+\n", capsys.readouterr().out)
 
 

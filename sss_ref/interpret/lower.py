@@ -13,7 +13,6 @@ from sss_ref.language import tree
 from sss_ref.language.types import Array, Texture, Vector, mat3, mat4
 
 INDENT = "    "
-NATIVE = {"&": "and", "|": "or"}
 TEMPLATES = {
     "sqrt": "np.sqrt({0})",
     "floor": "np.floor({0})",
@@ -196,7 +195,7 @@ class Lowering:
             return [self.lines.join("(-{0})", value) for value in self.scalars(first)]
         if first.type in (mat3, mat4):
             return self.product(expression)
-        template = f"({{0}} {NATIVE.get(expression.operator, expression.operator)} {{1}})"
+        template = f"({{0}} {expression.operator} {{1}})"
         left, right = (self.scalars(operand) for operand in expression.operands)
         count = max(len(left), len(right))
         left, right = (side * count if len(side) == 1 else side for side in (left, right))

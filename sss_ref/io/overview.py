@@ -10,7 +10,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from sss_ref.io import tiles
 from sss_ref.language.pipeline import MeshDraw, Pass
-from sss_ref.methods import method_of
+from sss_ref.methods.catalogue import method_of
 from sss_ref.passes.buffers import described
 from sss_ref.result import Result
 from sss_ref.rules import RULES_VERSION

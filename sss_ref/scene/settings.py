@@ -29,7 +29,7 @@ from sss_ref.scene.shipped import find_mesh, mesh_names
 from sss_ref.scene.viewpoints import Camera, LightSettings
 
 MEMORY_LIMIT = 4 * 2**30  # bytes of all buffers of one rendering
-CAMERA_BYTES = 139  # per pixel, all buffers of the camera, blur and composite passes together
+CAMERA_BYTES = 147  # per pixel, all buffers of the camera, blur and composite passes together
 SHADOW_BYTES = 12  # per texel: light_distance, light_depth, light_triangle
 
 KernelName = Annotated[Literal["table1", "hbh09", "schoenberger"], Tag("name")]

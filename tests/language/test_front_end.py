@@ -232,7 +232,7 @@ def test_an_error_inside_a_function_names_the_function():
     def calls(x: float) -> Value:
         return Value(halved(x))
 
-    with pytest.raises(StageError, match="in halved: literal 0.3"):
+    with pytest.raises(StageError, match=r"in halved: literal 0\.3"):
         stage(source="test")(calls)
 
 

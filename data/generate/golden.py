@@ -1,0 +1,29 @@
+"""Writes data/golden.json: the hashes that every machine must find. Run it only when bits are meant to move.
+
+Every shipped scene in every preset, 128^2 pixels and texels, all buffers.
+"""
+
+import json
+from pathlib import Path
+
+import sss_ref
+from sss_ref.rules import RULES_VERSION
+from sss_ref.scene import scene_names
+from sss_ref.scene.presets import PRESETS
+
+GOLDEN = Path(__file__).parents[1] / "golden.json"
+SMALL = {f"{table}.{side}": 128 for table in ("camera", "shadow_map") for side in ("width", "height")}
+
+
+def hashes() -> dict[str, dict[str, str]]:
+    """Scene and preset -> buffer -> SHA-256."""
+    made = {}
+    for scene in scene_names():
+        for preset in PRESETS:
+            made[f"{scene} {preset}"] = sss_ref.render(sss_ref.load_scene(scene, preset=preset, **SMALL)).hashes
+    return made
+
+
+if __name__ == "__main__":
+    text = json.dumps({"rules_version": RULES_VERSION, "scenes": hashes()}, indent=1)
+    GOLDEN.write_text(text + "\n", encoding="utf-8")

@@ -1,0 +1,64 @@
+"""The cache of machine code saves time and is never wrong; a rendering uses little memory beyond its result."""
+
+import shutil
+import tracemalloc
+from pathlib import Path
+
+import pytest
+from fresh_process import hashes_elsewhere, machine_code
+from scenes import around, cube, sphere, written
+
+import sss_ref
+from sss_ref.rendering import render
+from sss_ref.scene.load import load_scene
+
+KEEP = ["position_world"]
+
+
+@pytest.fixture
+def package(tmp_path):
+    """A copy of the package that a test may edit: the folder it is imported from."""
+    source = Path(sss_ref.__file__).parent
+    shutil.copytree(source, tmp_path / "copy" / "sss_ref", ignore=shutil.ignore_patterns("__pycache__", "data"))
+    return tmp_path / "copy"
+
+
+def test_an_edited_callee_is_compiled_anew(package, tmp_path):
+    """The kernel and all that it calls by name stay the same; only a function two calls away changes.
+
+    numba alone would serve the old code: it looks at the file of the kernel and at no other.
+    """
+    scene = around(written(tmp_path / "cube.obj", *cube()), size=32)
+    cache = tmp_path / "cache"
+    before = hashes_elsewhere(scene, cache, keep=KEEP, package=package)
+    code = machine_code(cache)
+    assert len(code) > 10
+
+    assert hashes_elsewhere(scene, cache, keep=KEEP, package=package) == before
+    assert machine_code(cache) == code
+
+    callee = package / "sss_ref" / "raster" / "interpolate.py"
+    original = "np.float32(at(e0, column, row)) * inverse_w"
+    assert callee.read_text().count(original) == 1
+    callee.write_text(callee.read_text().replace(original, "np.float32(2) * " + original))
+    after = hashes_elsewhere(scene, cache, keep=KEEP, package=package)
+    assert after.keys() == before.keys() == {"position_world"}
+    assert after != before
+    assert code.items() < machine_code(cache).items()
+
+
+@pytest.mark.parametrize("preset", ["paper", "robust"])
+def test_a_rendering_needs_half_as_much_again_as_it_keeps(tmp_path, preset):
+    """All that NumPy allocates is traced; a first rendering has compiled and allocated what stays."""
+    path = written(tmp_path / "sphere.obj", *sphere(24))
+    scene = load_scene(around(path, size=512, preset=preset))
+    render(scene, threads=2)
+    tracemalloc.start()
+    try:
+        result = render(scene, threads=2)
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    kept = sum(buffer.nbytes for buffer in result.buffers.values())
+    assert kept > 512 * 512 * 100
+    assert kept < peak <= 1.5 * kept
