@@ -144,14 +144,14 @@ def test_memory_limit(small):
     small["shadow_map"] = {"width": 1024, "height": 1024}
     small["camera"].update(width=8192, height=8192)
     assert problems(small) == [
-        "scene: shadow_map: expected buffers of at most 4 GiB together with the camera's (these need 8.7 GiB), "
+        "scene: shadow_map: expected buffers of at most 4 GiB together with the camera's (these need 9.2 GiB), "
         'got {"width": 1024, "height": 1024}; make the camera\'s or the shadow map\'s width and height smaller'
     ]
-    # (4 * 2^30 - 12 * 2^20) / 139 = 30808520.7 pixels, between 5558 * 5543 and 5558 * 5544.
-    small["camera"].update(width=5558, height=5544)
+    # (4 * 2^30 - 12 * 2^20) / 147 = 29131866.6 pixels, between 5397 * 5397 and 5397 * 5398.
+    small["camera"].update(width=5397, height=5398)
     assert problems(small)
-    small["camera"].update(height=5543)
-    assert load_scene(small).camera.height == 5543
+    small["camera"].update(height=5397)
+    assert load_scene(small).camera.height == 5397
 
 
 def test_normalizing_a_kernel_without_weight(small):
