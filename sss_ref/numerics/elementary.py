@@ -161,8 +161,8 @@ def _reduce(x: Any) -> tuple[Any, Any, Any]:
 
 
 def _bits(x: Any) -> Any:
-    """Reinterpret float64 as int64; numba wants the conversion, which changes nothing, before the view."""
-    return np.float64(x).view(np.int64)
+    """Reinterpret float64 as int64; `scalar` gives it its compiled form."""
+    return x.view(np.int64)
 
 
 def _from_bits(bits: Any) -> Any:

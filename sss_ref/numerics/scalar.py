@@ -28,7 +28,6 @@ PLAIN_FUNCTIONS = (
     elementary._log2,
     elementary._exp2,
     elementary._reduce,
-    elementary._bits,
     elementary._from_bits,
     elementary._power_of_two,
     elementary.pow_slow,
@@ -48,6 +47,11 @@ for function in PLAIN_FUNCTIONS:
 @overload(elementary.select, jit_options={"error_model": "numpy"})
 def _select(condition, if_true, if_false):  # no annotations: numba wants the signature of what is returned
     return lambda condition, if_true, if_false: if_true if condition else if_false
+
+
+@overload(elementary._bits, jit_options={"error_model": "numpy"})
+def _bits(x):  # numba views a float only right after a conversion, which changes nothing
+    return lambda x: np.float64(x).view(np.int64)
 
 
 @compiled
