@@ -16,6 +16,7 @@ from sss_ref.result import Result
 from sss_ref.rules import RULES_VERSION
 
 TILE = 320  # width of a tile, pixels
+SUPERSAMPLES = 2  # at least so many values in each direction are averaged to a pixel of a tile, where there are more
 GAP = 20
 MARGIN = 36
 HEADER = 104  # height of the title
@@ -114,8 +115,9 @@ def _draw_pass_line(sheet: Image.Image, tile: Tile, corner: tuple[int, int], nam
 
 def _draw_picture(sheet: Image.Image, tile: Tile, corner: tuple[int, int], frame: tuple[int, int]) -> None:
     """The buffer in the middle of its frame, in its own proportions: areas averaged, or pixels repeated."""
-    pixels = tiles.picture(tile.name, tile.buffer, tile.covered)[::-1]
     height, width = tile.buffer.shape[:2]
+    step = max(1, min(height // frame[1], width // frame[0]) // SUPERSAMPLES)
+    pixels = tiles.picture(tile.name, tile.buffer, tile.covered, step)[::-1]
     scale = min(frame[0] / width, frame[1] / height)
     size = (max(1, round(width * scale)), max(1, round(height * scale)))
     filtered = Image.Resampling.BOX if scale < 1 else Image.Resampling.NEAREST

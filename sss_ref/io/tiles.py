@@ -16,9 +16,14 @@ RAMP = np.stack(
 BRIGHTENED = np.linspace(60, 255, 256).astype(np.uint8)
 
 
-def picture(name: str, buffer: np.ndarray, covered: np.ndarray) -> np.ndarray:
-    """A buffer as sRGB uint8 (H, W, 3), row 0 at the bottom; covered: bool (H, W), the pixels that were drawn."""
+def picture(name: str, buffer: np.ndarray, covered: np.ndarray, step: int = 1) -> np.ndarray:
+    """A buffer as sRGB uint8 (H, W, 3), row 0 at the bottom; covered: bool (H, W), the pixels that were drawn.
+
+    step: show every step-th row and column only; the range of values is that of all of them.
+    """
     kind = "".join(channel_names(name, buffer))
+    whole_range = value_range(buffer, covered)
+    buffer, covered = buffer[::step, ::step], covered[::step, ::step]
     if kind == "RGB":
         return over_ground(srgb8(buffer), covered)
     if buffer.dtype == np.uint8:
@@ -27,7 +32,7 @@ def picture(name: str, buffer: np.ndarray, covered: np.ndarray) -> np.ndarray:
         return over_ground(hashed_colours(buffer), covered)
     if kind == "UV":
         return over_ground(uv_colours(buffer), covered & (buffer >= 0).all(axis=-1))
-    values = stretched(buffer, *value_range(buffer, covered))
+    values = stretched(buffer, *whole_range)
     return over_ground(values if kind == "XYZ" else RAMP[values], covered)
 
 
