@@ -10,14 +10,14 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.errors import SceneError
+from sss_ref.errors import MeshError, SceneError
 from sss_ref.interpret import arrays, kernel
 from sss_ref.interpret.finite import require_finite
 from sss_ref.interpret.work import CHANNELS, Fragments, Work, dtype_of, shape_of
 from sss_ref.language.pipeline import MeshDraw, Method, Pass, ScreenDraw
 from sss_ref.methods.catalogue import method_of
-from sss_ref.passes.buffers import described
-from sss_ref.raster.primitives import assemble
+from sss_ref.passes.buffers import background
+from sss_ref.raster.primitives import Primitives, assemble
 from sss_ref.raster.rasterize import visibility
 from sss_ref.raster.viewport import Viewport
 from sss_ref.result import Result
@@ -46,6 +46,10 @@ def render(
     if interpreter not in INTERPRETERS:
         raise SceneError(f"interpreter: expected one of {', '.join(INTERPRETERS)}, got {interpreter!r}")
     method = method_of(scene.settings)
+    if any(isinstance(one.draw, MeshDraw) and one.draw.layout for one in method.passes) and scene.mesh.uvs is None:
+        raise MeshError(
+            f"{scene.mesh.name}: expected UVs, which the {method.name} method needs, got none; unwrap the mesh"
+        )
     with _pool(threads) as pool:
         rendering = _Rendering(scene, INTERPRETERS[interpreter], pool, _kept(method, keep))
         needed = method.only(rendering.kept)
@@ -54,7 +58,7 @@ def render(
                 on_pass(one.name)
             rendering.run(one, _needed_after(needed, one))
     buffers = {name: rendering.buffers[name] for one in method.passes for name in one.outputs if name in rendering.kept}
-    return Result(scene, buffers, rendering.timings)
+    return Result(scene, buffers, rendering.timings, notes=tuple(rendering.notes))
 
 
 @contextmanager
@@ -96,32 +100,43 @@ class _Rendering:
         self.uniforms = uniforms(self.scene)
         self.buffers: dict[str, np.ndarray] = {}
         self.timings: dict[str, float] = {}
+        self.notes: list[str] = []
 
     def run(self, one: Pass, needed_later: set[str]) -> None:
         """Run a pass: rasterize if it draws the mesh, then its stages; keep what is wanted of its buffers."""
         start = time.perf_counter()
         wanted = [name for name in one.outputs if name in self.kept | needed_later]
-        width, height = self.size(one)
-        fragments, written = self.draw(one, width, height)
-        kinds = one.outputs
+        fragments, written = self.draw(one)
         fresh = [name for name in wanted if name not in written]
-        outputs = {name: np.empty(shape_of(kinds[name], width, height), dtype_of(kinds[name])) for name in fresh}
-        backgrounds = {name: self.background(name, kinds[name]) for name in fresh}
-        work = Work(one, fragments, self.uniforms, dict(self.buffers), outputs, backgrounds)
-        if outputs:  # else the rasterizer has written all that is wanted
-            self.interpreter.run_fragments(work, self.pool)
-            require_finite(work, self.pool)
-        self.buffers |= outputs | {name: buffer for name, buffer in written.items() if name in wanted}
+        outputs = {own: self.buffers[name] for name, own in one.feedback.items()}
+        for _ in range(one.rounds if fresh else 0):
+            fed = {name: outputs[own] for name, own in one.feedback.items()}
+            outputs = self.shade(one, fragments, self.buffers | fed, [*outputs] if fed else fresh)
+        written |= outputs
+        self.buffers |= {name: written[name] for name in wanted}
         self.drop(needed_later)
         self.timings[one.name] = time.perf_counter() - start
+
+    def shade(
+        self, one: Pass, fragments: Fragments, buffers: Mapping[str, np.ndarray], names: list[str]
+    ) -> dict[str, np.ndarray]:
+        """Run the stages of a pass once; the named outputs."""
+        kinds, size = one.outputs, (fragments.width, fragments.height)
+        outputs = {name: np.empty(shape_of(kinds[name], *size), dtype_of(kinds[name])) for name in names}
+        backgrounds = {name: self.background(name, kinds[name]) for name in names}
+        work = Work(one, fragments, self.uniforms, buffers, outputs, backgrounds)
+        self.interpreter.run_fragments(work, self.pool)
+        require_finite(work, self.pool)
+        return outputs
 
     def size(self, one: Pass) -> tuple[int, int]:
         """Width and height of a pass's target, from the scene table of that name."""
         table = getattr(self.scene.settings, one.target)
         return table.width, table.height
 
-    def draw(self, one: Pass, width: int, height: int) -> tuple[Fragments, Mapping[str, np.ndarray]]:
+    def draw(self, one: Pass) -> tuple[Fragments, dict[str, np.ndarray]]:
         """The fragments of a pass's draw, and the buffers that the rasterizer itself has written."""
+        width, height = self.size(one)
         if isinstance(one.draw, ScreenDraw):
             stencil = self.buffers[one.draw.stencil] if one.draw.stencil else None
             return Fragments(width, height, stencil=stencil), {}
@@ -130,7 +145,32 @@ class _Rendering:
         viewport = Viewport(width, height)
         primitives = assemble(clip_position, attributes, self.scene.mesh.triangles, viewport)
         piece, depth = visibility(primitives, viewport, self.pool)
+        if one.draw.layout:
+            piece = self.layout(primitives, viewport, piece)
         return Fragments(width, height, primitives, piece, viewport.step, varyings), {one.draw.depth: depth}
+
+    def layout(self, primitives: Primitives, viewport: Viewport, first: np.ndarray) -> np.ndarray:
+        """The piece of each texel of a UV layout, by the scene's policy for texels that several triangles cover."""
+        if not (first >= 0).any():
+            raise MeshError(
+                f"{self.scene.mesh.name}: expected UVs inside 0 to 1, got none that cover a texel; unwrap it"
+            )
+        last, _ = visibility(primitives, viewport, self.pool, later_wins=True)
+        overlapping = int((first != last).sum())
+        policy = self.scene.settings.irradiance_map.overlap
+        if overlapping and policy == "error":
+            row, column = np.argwhere(first != last)[0]
+            pair = primitives.triangle[[first[row, column], last[row, column]]].tolist()
+            raise MeshError(
+                f"{self.scene.mesh.name}: expected UVs without overlap, got {overlapping} texels covered twice or "
+                f'more, triangles {pair[0]} and {pair[1]} among them; unwrap it or set irradiance_map.overlap = "first"'
+            )
+        if overlapping:
+            share = f"{overlapping} of {int((first >= 0).sum())}"
+            self.notes.append(
+                f"irradiance map: {share} texels are covered more than once; the {policy} triangle counts"
+            )
+        return last if policy == "last" else first
 
     @property
     def mesh(self) -> dict[str, np.ndarray]:
@@ -141,9 +181,7 @@ class _Rendering:
 
     def background(self, name: str, kind: Any) -> np.ndarray:
         """What a buffer holds where nothing is drawn, one value a channel."""
-        background = described(name).background
-        value = self.uniforms[background] if isinstance(background, str) else background
-        return np.broadcast_to(value, CHANNELS[kind]).astype(dtype_of(kind))
+        return np.broadcast_to(background(name, self.uniforms), CHANNELS[kind]).astype(dtype_of(kind))
 
     def drop(self, needed_later: set[str]) -> None:
         """Forget what nobody asks for any more."""

@@ -2,7 +2,7 @@
 
 import hashlib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from os import PathLike
 from pathlib import Path
@@ -18,11 +18,13 @@ class Result:
     """The kept buffers of a rendering, in stage order.
 
     buffers: name -> (H, W) or (H, W, C), row 0 at the bottom. timings: pass -> seconds.
+    notes: what the mesh's UV layout made of the irradiance map, where that may surprise.
     """
 
     scene: Scene
     buffers: Mapping[str, np.ndarray]
     timings: Mapping[str, float]
+    notes: tuple[str, ...] = field(default=(), kw_only=True)
 
     def __getitem__(self, name: str) -> np.ndarray:
         if name not in self.buffers:

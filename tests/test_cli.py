@@ -1,13 +1,17 @@
+import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from sss_ref import cli
+import sss_ref
 from sss_ref.cli import main
+from sss_ref.cli.options import Changes, Execution
 from sss_ref.errors import SceneError
 from sss_ref.io import verify as verify_module
 from sss_ref.io.manifest import read_manifest
@@ -88,7 +92,7 @@ def test_options_reach_scene_and_manifest(out):
 def test_until(out):
     assert main(["render", "-o", str(out), "--interpreter", "arrays", "--until", "surface"]) == 0
     names = [record.name for record in read_manifest(out).buffers]
-    assert names[-1] == "albedo" and "shadow_uv" not in names
+    assert "uv" in names and "shadow_uv" not in names
     assert not (out / "image.png").exists()
 
 
@@ -112,12 +116,20 @@ def test_verify_tells_a_difference_by_its_exit_code(out, capsys, monkeypatch):
         (["render", "--threads", "0"], "--threads: expected at least 1, got 0"),
         (["render", "--until", "dawn"], "until: expected a pass, a stage or a buffer"),
         (["render", "--until", "lit", "--keep", "final"], "--until: expected without --keep final, got both"),
+        (["render", "--samples", "0"], "samples: expected at least 1, got 0; 4 makes smooth edges"),
+        (["render", "--samples", "2", "--until", "lit"], "--samples: expected without --until and --keep all"),
+        (["render", "--samples", "2", "--keep", "all"], "--samples: expected without --until and --keep all"),
         (["render", "--preset", "nice"], 'preset: expected "paper" or "robust", got "nice"'),
         (["render", "--keep", "most"], 'Invalid value "most" for --keep'),
         (["render", "--bogus"], 'Unknown option: --bogus'),
         (["paint"], 'Unknown command "paint"'),
         (["verify", "."], "manifest.json: expected a folder written by sss-ref render"),
         (["verify"], "requires an argument"),
+        (["diff", ".", "."], ".: expected a result folder or a folder of buffers, got one without NPY files"),
+        (["diff", ".", ".", "-o", "x.jpg"], "x.jpg: expected a file name ending in .png, got .jpg"),
+        (["diff", ".", ".", "-o", "no/x.png"], "no/x.png: expected an existing folder, got no"),
+        (["info", "nothing.obj"], "nothing.obj: expected a readable file, got No such file"),
+        (["info", "nothing"], "nothing: expected one of .obj"),
     ],
 )  # fmt: skip
 def test_bad_input_is_told_in_one_message(out, capsys, monkeypatch, tmp_path, arguments, message):
@@ -190,7 +202,7 @@ def test_interrupt(monkeypatch, out):
 
 
 def test_as_a_process(tmp_path):
-    environment = {**os.environ, "PYTHONPATH": str(Path(cli.__file__).parents[1])}
+    environment = {**os.environ, "PYTHONPATH": str(Path(sss_ref.__file__).parents[1])}
     command = [sys.executable, "-m", "sss_ref.cli", "render", "nowhere.toml", "-o", str(tmp_path / "out")]
     done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
     assert done.returncode == 2 and done.stdout == ""
@@ -199,22 +211,107 @@ def test_as_a_process(tmp_path):
 
 def test_help_and_import_load_no_heavy_library():
     code = "import sys; from sss_ref.cli import main; main(['--help']); print({'numba', 'trimesh'} & set(sys.modules))"
-    environment = {**os.environ, "PYTHONPATH": str(Path(cli.__file__).parents[1])}
+    environment = {**os.environ, "PYTHONPATH": str(Path(sss_ref.__file__).parents[1])}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment, check=True)
     assert done.stdout.endswith("set()\n") and "warmup" in done.stdout
 
 
+def test_samples_reach_the_manifest(out, capsys):
+    small = ["--size", "8x8", "--interpreter", "arrays", "--threads", "1"]
+    assert main(["render", "-o", str(out), "--samples", "2", *small]) == 0
+    manifest = read_manifest(out)
+    assert manifest.samples == 2 and [record.name for record in manifest.buffers] == ["image"]
+    assert main(["verify", str(out)]) == 0
+    assert capsys.readouterr().out.endswith("verified: 1 buffer equal in every bit\n")
+
+
+@pytest.fixture
+def pair(out, tmp_path):
+    """Two folders of one buffer; B has another value at column 1, row 0."""
+    image = np.arange(24, dtype=np.float32).reshape(2, 4, 3)
+    folders = tmp_path / "a", tmp_path / "b"
+    for folder in folders:
+        folder.mkdir()
+        np.save(folder / "image.npy", image)
+        image = image.copy()
+        image[0, 1, 2] = 8
+    return folders
+
+
+def test_diff_of_different_buffers(pair, capsys, tmp_path):
+    assert main(["diff", *map(str, pair), "-o", str(tmp_path / "x.png")]) == 1
+    told = capsys.readouterr().out
+    assert re.search(r" image +1 of 8 +3 +23( +1)? *\n", told)
+    first = "first difference: buffer image, first at pixel 1,0 (column,row; row 0 at the bottom): A 3.0 (0x40400000)"
+    assert first in told and "5.0 (0x40a00000), B 3.0" in told
+    assert (tmp_path / "x.png").is_file()
+
+
+def test_diff_of_equal_buffers(pair, capsys, tmp_path):
+    assert main(["diff", str(pair[0]), str(pair[0]), "-o", str(tmp_path / "x.png")]) == 0
+    assert capsys.readouterr().out == "equal in every bit: image\n"
+    assert not (tmp_path / "x.png").exists()
+
+
+@pytest.mark.parametrize("differs, code", [(False, 2), (True, 1)])
+def test_diff_names_what_one_folder_has_alone(pair, capsys, differs, code):
+    a, b = pair[0], pair[differs]
+    other = b.with_name("other")
+    shutil.copytree(b, other)
+    np.save(other / "depth.npy", np.zeros((2, 4), np.float32))
+    assert main(["diff", str(a), str(other)]) == code
+    assert capsys.readouterr().err == f"only in {other}: depth\n"
+    assert main(["diff", str(other), str(a)]) == code
+    assert capsys.readouterr().err == f"only in {other}: depth\n"
+
+
+def test_info_of_a_file_and_of_a_shipped_mesh(data_folder, capsys):
+    assert main(["info", "tetrahedron"]) == 0
+    told = capsys.readouterr().out
+    assert main(["info", str(data_folder / "meshes" / "tetrahedron.obj")]) == 0
+    assert capsys.readouterr().out == told
+    rows = dict(re.split(" {2,}", line.strip(), maxsplit=1) for line in told.splitlines())
+    assert rows == {
+        "mesh": "tetrahedron.obj",
+        "triangles": "4",
+        "vertices": "4",
+        "bounds": "(0, 0, 0) to (1, 1, 1)",
+        "size": "(1, 1, 1)",
+        "unit": "not in the file; the scene's mesh.scale and mm_per_unit say it",
+        "normals": "computed, weighted by area",
+        "watertight": "yes",
+        "UVs": "none: no texture-space method",
+    }
+
+
+def test_info_as_json(data_folder, capsys):
+    path = data_folder / "meshes" / "quad.obj"
+    corners = "".join(f"v {x} {y} 0.5\nvt {x / 2} {y}\n" for x, y in ((0, 0), (3, 0), (3, 1), (0, 1)))
+    path.write_text(corners + "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n")
+    assert main(["info", "quad", "--json"]) == 0
+    facts = json.loads(capsys.readouterr().out)
+    assert (facts["low"], facts["high"], facts["size"]) == ([0, 0, 0.5], [3, 1, 0.5], [3, 1, 0])
+    assert (facts["triangles"], facts["vertices"], facts["watertight"]) == (2, 4, False)
+    uv = {"shifted": 0, "mirrored": 0, "zero_area": 0, "out_of_range": 2, "seams": 0, "bounds": [0, 0, 1.5, 1]}
+    assert facts["uv"] == uv
+    assert main(["info", "quad"]) == 0
+    told = capsys.readouterr().out
+    assert re.search(r"UV bounds +\(0, 0\) to \(1.5, 1\)", told) and re.search(
+        "UV outside 0..1 +2 vertices, 0 tri", told
+    )
+
+
 def test_values_of_set_are_toml_or_text():
-    changes = cli.Changes(set=("a.b=1", "c=[1, 2.5]", "d=true", 'e="x"', "f=plain text", "g=h=i"))
+    changes = Changes(set=("a.b=1", "c=[1, 2.5]", "d=true", 'e="x"', "f=plain text", "g=h=i"))
     expected = {"a.b": 1, "c": [1, 2.5], "d": True, "e": "x", "f": "plain text", "g": "h=i"}
     assert changes.overrides() == expected
 
 
 def test_set_wins_over_size():
-    assert cli.Changes(set=("camera.width=7",), size="3x4").overrides() == {"camera.width": 7, "camera.height": 4}
+    assert Changes(set=("camera.width=7",), size="3x4").overrides() == {"camera.width": 7, "camera.height": 4}
 
 
 def test_threads_are_counted_from_one():
-    assert cli.Execution(threads=1).threads == 1
+    assert Execution(threads=1).threads == 1
     with pytest.raises(SceneError):
-        cli.Execution(threads=-1)
+        Execution(threads=-1)

@@ -61,11 +61,6 @@ def test_an_unknown_interpreter_is_an_error_that_lists_the_known(scene):
         render(scene, interpreter="gpu")
 
 
-def test_a_method_that_is_not_there_is_an_error():
-    with pytest.raises(SceneError, match=r"^method: expected one of screen_space, got 'texture_space'"):
-        method_of(settings_with({"method": "texture_space"}))
-
-
 def test_each_pass_is_announced_and_timed(scene):
     announced = []
     result = render(scene, on_pass=announced.append)

@@ -28,11 +28,14 @@ def run_vertices(
         inputs.append(kind(*raw.T) if own in MESH_ATTRIBUTES else uniform_value(kind, raw))
     with np.errstate(all="ignore"):
         results = dict(zip(stage.writes.values(), stage(*inputs), strict=True))
-    attributes = np.empty((len(mesh["position"]), columns), np.float32)
+    count = len(mesh["position"])
+    clip_position, attributes = np.empty((count, 4), np.float32), np.empty((count, columns), np.float32)
+    for k, component in enumerate(components(results[stage.writes[CLIP_POSITION]])):
+        clip_position[:, k] = component
     for name, first in varyings.items():
         for k, component in enumerate(components(results[name])):
             attributes[:, first + k] = component
-    return np.stack(components(results[stage.writes[CLIP_POSITION]]), axis=-1), attributes
+    return clip_position, attributes
 
 
 def run_fragments(work: Work, pool: Executor | None) -> None:

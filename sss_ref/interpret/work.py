@@ -44,7 +44,8 @@ class Fragments:
 class Work:
     """One pass to run.
 
-    uniforms: name -> float32 scalar, int, or float32 array (vectors (N,), matrices (N, N), uniform arrays (N, C)).
+    uniforms: name -> float32 scalar, int, or array (vectors (N,), matrices (N, N), uniform arrays (N,) or (N, C),
+        textures (H, W, C)), float32 or, for integers, int32.
     buffers: name -> finished buffer of an earlier pass, (H, W) or (H, W, C).
     outputs: name -> array to fill completely, background included; backgrounds: name -> one value per channel.
     """
@@ -69,8 +70,8 @@ def shape_of(kind: Any, width: int, height: int) -> tuple[int, ...]:
 
 def uniform_value(kind: Any, raw: Any) -> Any:
     """A uniform as a value of the language."""
-    if get_origin(kind) is Array:
-        return Array(raw)
+    if get_origin(kind) in (Array, Texture):
+        return get_origin(kind)(raw)
     if kind in (mat3, mat4):
         return kind(raw)
     if isinstance(kind, type) and issubclass(kind, Vector):

@@ -15,6 +15,7 @@ from sss_ref.io.manifest import FILE_NAME, FORMAT, Manifest, manifest_of, scene_
 from sss_ref.io.overview import write_overview
 from sss_ref.io.png import write_png
 from sss_ref.result import Result
+from sss_ref.samples import SampledResult
 
 
 def save(result: Result, folder: Path, interpreter: str | None = None, threads: int | None = None) -> Path:
@@ -106,6 +107,13 @@ def _write(result: Result, manifest: Manifest, folder: Path) -> None:
     }
     write_exr(folder / "buffers.exr", result.buffers, (camera.width, camera.height), origin)
     if "image" in result.buffers:
-        write_png(folder / "image.png", result.image, result.buffers.get("coverage"))
+        write_png(folder / "image.png", *_preview(result))
     write_overview(folder / "overview.png", result)
     (folder / FILE_NAME).write_text(manifest.model_dump_json(indent=2) + "\n", encoding="utf-8")
+
+
+def _preview(result: Result) -> tuple[np.ndarray, np.ndarray | None]:
+    """Colour and coverage of image.png; PNG wants the model's colour at its edges, without the background behind it."""
+    if isinstance(result, SampledResult):
+        return result.foreground, result.coverage
+    return result.image, result.buffers.get("coverage")

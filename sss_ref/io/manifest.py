@@ -11,9 +11,10 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from sss_ref.errors import DumpError
-from sss_ref.passes.buffers import described
+from sss_ref.passes.buffers import background, described
 from sss_ref.result import Result
 from sss_ref.rules import RULES_VERSION
+from sss_ref.samples import SampledResult
 from sss_ref.scene.load import Scene
 from sss_ref.scene.shipped import find_mesh, scene_names, scene_path
 from sss_ref.scene.uniforms import uniforms
@@ -54,6 +55,8 @@ class SceneRecord(Record):
     source: str
     mesh_file: str
     """Absolute path of the mesh when the scene was rendered."""
+    texture_file: str | None = None
+    """The same of the colour texture; None for a scene without."""
     settings: dict[str, Any]
 
 
@@ -66,7 +69,7 @@ class Manifest(Record):
     rules_version: int
     scene: SceneRecord
     inputs: dict[str, Sha256]
-    """Mesh array -> hash after decoding."""
+    """Array of the mesh, or texels -> hash after decoding."""
     buffers: list[BufferRecord]
     """In stage order."""
     row_order: dict[str, str]
@@ -75,6 +78,8 @@ class Manifest(Record):
     """None where the caller of `save` did not say."""
     threads: int | None
     """None: one per processor."""
+    samples: Annotated[int, Field(ge=1)] = 1
+    """n: the image is the average of n x n renderings (see `sss_ref.samples`)."""
     milliseconds: dict[str, float]
     """Pass -> duration."""
     environment: dict[str, str]
@@ -83,18 +88,18 @@ class Manifest(Record):
 def manifest_of(result: Result, interpreter: str | None, threads: int | None) -> Manifest:
     """The manifest of a rendering."""
     scene = result.scene
-    settings = scene.settings.model_dump(mode="json")
     return Manifest(
         format=FORMAT,
         format_version=1,
         package_version=package_version(),
         rules_version=RULES_VERSION,
-        scene=SceneRecord(source=scene.source, mesh_file=str(_mesh_file(scene)), settings=settings),
-        inputs=scene.mesh.hashes(),
+        scene=_scene_record(scene),
+        inputs=scene.input_hashes(),
         buffers=[_record(result, name) for name in result.buffers],
         row_order=ROW_ORDER,
         interpreter=interpreter,
         threads=threads,
+        samples=result.samples if isinstance(result, SampledResult) else 1,
         milliseconds={name: round(seconds * 1e3, 3) for name, seconds in result.timings.items()},
         environment=_environment(),
     )
@@ -133,23 +138,23 @@ def _record(result: Result, name: str) -> BufferRecord:
         dtype=buffer.dtype.newbyteorder("<").str,
         shape=list(buffer.shape),
         unit=described(name).unit,
-        background=_background(result.scene, name),
+        background=np.asarray(background(name, uniforms(result.scene))).tolist(),
         sha256=result.hashes[name],
         file=f"buffers/{name}.npy",
         row_order=ROW_ORDER["npy"],
     )
 
 
-def _background(scene: Scene, name: str) -> Any:
-    background = described(name).background
-    return np.asarray(uniforms(scene)[background] if isinstance(background, str) else background).tolist()
-
-
-def _mesh_file(scene: Scene) -> Path:
-    """The mesh's absolute path, found as the scene's loader found it; as written if it is gone since."""
-    named = scene.settings.mesh.path
-    scene_file = scene_path(scene.source) if scene.source in scene_names() else Path(scene.source)
-    return (find_mesh(named, scene_file.parent) or Path(named)).absolute()
+def _scene_record(scene: Scene) -> SceneRecord:
+    """The scene, and where its loader found the mesh and the texture; the mesh as written if it is gone since."""
+    named, texture = scene.settings.mesh.path, scene.settings.mesh.texture
+    folder = (scene_path(scene.source) if scene.source in scene_names() else Path(scene.source)).parent
+    return SceneRecord(
+        source=scene.source,
+        mesh_file=str((find_mesh(named, folder) or Path(named)).absolute()),
+        texture_file=None if texture is None else str((folder / texture).absolute()),
+        settings=scene.settings.model_dump(mode="json"),
+    )
 
 
 def _environment() -> dict[str, str]:

@@ -2,13 +2,13 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
 
 import numpy as np
-from PIL import Image, ImageDraw, ImageFont
+from PIL import Image, ImageDraw
 
 from sss_ref.io import tiles
+from sss_ref.io.lettering import BRIGHT, FAINT, SOFT, font
 from sss_ref.language.pipeline import MeshDraw, Pass
 from sss_ref.methods.catalogue import method_of
 from sss_ref.passes.buffers import described
@@ -23,7 +23,6 @@ HEADER = 104  # height of the title
 PASS_LINE = 38  # above a tile: the pass it belongs to
 CAPTION = 104  # below a tile: name, range, unit
 
-BRIGHT, SOFT, FAINT = (238, 240, 244), (158, 164, 176), (104, 110, 122)
 ACCENTS = ((233, 174, 84), (92, 178, 224), (226, 116, 132), (126, 200, 136), (182, 146, 226))  # one a pass
 
 
@@ -98,11 +97,11 @@ def _draw_title(sheet: Image.Image, result: Result) -> None:
         f"{settings.method.replace('_', ' ')}, preset {settings.preset}, {camera.width} x {camera.height}",
         f"mesh {result.scene.mesh.name}, shadow map {shadow_map.width} x {shadow_map.height}, rules {RULES_VERSION}",
     )
-    title = _font(40)
+    title = font(40)
     draw.text((MARGIN, 26), name, BRIGHT, title)
     left = MARGIN + draw.textlength(name, title) + 24
-    draw.text((left, 26), facts[0], SOFT, _font(20))
-    draw.text((left, 51), facts[1], FAINT, _font(17))
+    draw.text((left, 26), facts[0], SOFT, font(20))
+    draw.text((left, 51), facts[1], FAINT, font(17))
 
 
 def _draw_pass_line(sheet: Image.Image, tile: Tile, corner: tuple[int, int], named: bool, joined: bool) -> None:
@@ -110,7 +109,7 @@ def _draw_pass_line(sheet: Image.Image, tile: Tile, corner: tuple[int, int], nam
     draw, (left, top) = ImageDraw.Draw(sheet), corner
     draw.rectangle((left - GAP * joined, top + 28, left + TILE - 1, top + 30), tile.accent)
     if named:
-        draw.text((left, top), tile.pass_name, tile.accent, _font(20))
+        draw.text((left, top), tile.pass_name, tile.accent, font(20))
 
 
 def _draw_picture(sheet: Image.Image, tile: Tile, corner: tuple[int, int], frame: tuple[int, int]) -> None:
@@ -128,27 +127,22 @@ def _draw_picture(sheet: Image.Image, tile: Tile, corner: tuple[int, int], frame
 def _draw_caption(sheet: Image.Image, tile: Tile, corner: tuple[int, int]) -> None:
     """Name, range and unit, one below the other."""
     draw, (left, top) = ImageDraw.Draw(sheet), corner
-    draw.text((left, top + 8), tile.name, BRIGHT, _font(23))
+    draw.text((left, top + 8), tile.name, BRIGHT, font(23))
     _draw_range(sheet, tile, (left, top + 38))
     unit = described(tile.name).unit
-    size = next((size for size in range(16, 9, -1) if draw.textlength(unit, _font(size)) <= TILE), 9)
-    draw.text((left, top + 62), unit, FAINT, _font(size))
+    size = next((size for size in range(16, 9, -1) if draw.textlength(unit, font(size)) <= TILE), 9)
+    draw.text((left, top + 62), unit, FAINT, font(size))
 
 
 def _draw_range(sheet: Image.Image, tile: Tile, corner: tuple[int, int]) -> None:
     """Least and largest value, and between them the colours that stand for what lies between."""
-    draw, (left, top), font = ImageDraw.Draw(sheet), corner, _font(18)
+    draw, (left, top), small = ImageDraw.Draw(sheet), corner, font(18)
     low, high = tile.range_text
     if not tiles.has_ramp(tile.name, tile.buffer):
-        draw.text(corner, f"{low} to {high}", SOFT, font)
+        draw.text(corner, f"{low} to {high}", SOFT, small)
         return
     ramp = Image.fromarray(tiles.RAMP[None]).resize((72, 12))
-    start = round(left + draw.textlength(low, font) + 10)
-    draw.text(corner, low, SOFT, font)
+    start = round(left + draw.textlength(low, small) + 10)
+    draw.text(corner, low, SOFT, small)
     sheet.paste(ramp, (start, top + 5))
-    draw.text((start + ramp.width + 10, top), high, SOFT, font)
-
-
-@cache
-def _font(size: int) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
-    return ImageFont.load_default(size)
+    draw.text((start + ramp.width + 10, top), high, SOFT, small)

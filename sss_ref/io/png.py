@@ -35,11 +35,11 @@ def srgb8(linear: np.ndarray) -> np.ndarray:
 def write_png(path: Path, image: np.ndarray, coverage: np.ndarray | None = None) -> None:
     """Write a linear RGB image float32 (H, W, 3), row 0 at the bottom, as an sRGB PNG.
 
-    coverage: 0 or 1 (H, W), becomes alpha (colour is not premultiplied by it); None: no alpha channel.
+    coverage: 0 to 1 (H, W), becomes alpha (colour is not premultiplied by it); None: no alpha channel.
     """
     import imageio.v3 as imageio
 
     pixels = srgb8(image)
     if coverage is not None:
-        pixels = np.dstack((pixels, np.where(coverage != 0, np.uint8(255), np.uint8(0))))
+        pixels = np.dstack((pixels, np.rint(coverage * np.float32(255)).astype(np.uint8)))
     imageio.imwrite(path, pixels[::-1])

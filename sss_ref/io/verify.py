@@ -4,13 +4,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
+from sss_ref.io.diff import first_difference
 from sss_ref.io.folder import read_buffer
 from sss_ref.io.manifest import BufferRecord, Manifest, read_manifest
 from sss_ref.rendering import render
-from sss_ref.result import buffer_hash
+from sss_ref.result import Result, buffer_hash
 from sss_ref.rules import RULES_VERSION
+from sss_ref.samples import render_samples
 from sss_ref.scene.load import Scene, load_scene
 from sss_ref.scene.shipped import find_mesh
 
@@ -42,43 +42,17 @@ def verify(
     if changed:
         return Verdict(False, f"the file {changed[0]} was changed since ({_counted(len(changed), 'such file')})")
     scene = _recorded_scene(manifest, folder)
-    found = scene.mesh.hashes()
+    found = scene.input_hashes()
     other = [name for name in manifest.inputs | found if manifest.inputs.get(name) != found.get(name)]
     if other:
         return Verdict(False, f"input differs: {', '.join(other)} of the mesh {scene.settings.mesh.path}")
-    result = render(scene, interpreter, threads, [record.name for record in manifest.buffers], on_pass)
+    result = _rendered_again(scene, manifest, interpreter, threads, on_pass)
     for record in manifest.buffers:
+        computed = result[record.name]
         if result.hashes[record.name] != record.sha256:
-            difference = first_difference(read_buffer(folder / record.file), result.buffers[record.name])
+            difference = first_difference(read_buffer(folder / record.file), computed)
             return Verdict(False, f"computation differs: buffer {record.name}, {difference}")
     return Verdict(True, f"verified: {_counted(len(manifest.buffers), 'buffer')} equal in every bit")
-
-
-def first_difference(recorded: np.ndarray, computed: np.ndarray) -> str:
-    """Where two buffers of one type and size first differ, row by row from the bottom, with values and bit patterns."""
-    if recorded.shape != computed.shape:
-        return f"its shape: recorded {recorded.shape}, now {computed.shape}"
-    differs = (bits(recorded) != bits(computed)).reshape(*recorded.shape[:2], -1).any(axis=-1)
-    row, column = np.argwhere(differs)[0]
-    return (
-        f"first at pixel {column},{row} (column,row; row 0 at the bottom): "
-        f"recorded {_shown(recorded[row, column])}, now {_shown(computed[row, column])}; "
-        f"{np.count_nonzero(differs)} of {differs.size} pixels differ"
-    )
-
-
-def bits(values: np.ndarray) -> np.ndarray:
-    """The bit patterns of values, as unsigned integers of the same size: -0 is not 0 here."""
-    return np.ascontiguousarray(values).view(f"u{values.dtype.itemsize}")
-
-
-def _shown(pixel: np.ndarray) -> str:
-    """The channels of a pixel, each with its bit pattern."""
-    channels = np.atleast_1d(pixel)
-    digits = 2 * channels.dtype.itemsize
-    return " ".join(
-        f"{value!s} (0x{pattern:0{digits}x})" for value, pattern in zip(channels, bits(channels), strict=True)
-    )
 
 
 def _is_changed(record: BufferRecord, folder: Path) -> bool:
@@ -89,13 +63,31 @@ def _is_changed(record: BufferRecord, folder: Path) -> bool:
 
 
 def _recorded_scene(manifest: Manifest, folder: Path) -> Scene:
-    """The scene of a manifest; its mesh from where it was, else from beside the result, else the shipped one."""
+    """The scene of a manifest; its files from where they were, else from beside the result, else the shipped mesh."""
     recorded = manifest.scene
-    named = recorded.settings.get("mesh", {}).get("path", "")
+    named = recorded.settings.get("mesh", {})
     beside = folder.resolve().parent
-    candidates = (find_mesh(path, beside) for path in (recorded.mesh_file, named, Path(recorded.mesh_file).name))
-    mesh = next((path for path in candidates if path), recorded.mesh_file)
-    return load_scene(recorded.settings, **{"mesh.path": str(mesh)})
+    candidates = (
+        find_mesh(path, beside) for path in (recorded.mesh_file, named.get("path", ""), Path(recorded.mesh_file).name)
+    )
+    files = {"mesh.path": next((str(path) for path in candidates if path), recorded.mesh_file)}
+    if recorded.texture_file is not None:
+        places = (Path(recorded.texture_file), beside / Path(recorded.texture_file).name)
+        files["mesh.texture"] = next((str(path) for path in places if path.is_file()), recorded.texture_file)
+    return load_scene(recorded.settings, **files)
+
+
+def _rendered_again(
+    scene: Scene,
+    manifest: Manifest,
+    interpreter: str,
+    threads: int | None,
+    on_pass: Callable[[str], None] | None,
+) -> Result:
+    """The recorded buffers, or the average of as many samples as were recorded."""
+    if manifest.samples != 1:
+        return render_samples(scene, manifest.samples, interpreter, threads, on_pass)
+    return render(scene, interpreter, threads, [record.name for record in manifest.buffers], on_pass)
 
 
 def _counted(count: int, noun: str) -> str:

@@ -1,7 +1,7 @@
 """What stages are assembled into: a draw or a full-screen rectangle, a pass, a method."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sss_ref.language.stage import Stage
@@ -17,12 +17,15 @@ class MeshDraw:
 
     vertex: stage over the vertices; its outputs but `clip_position` are varyings, interpolated for each fragment.
     triangle, depth, coverage: the buffers that the rasterizer itself writes, by their names ("" = none).
+    layout: whether triangles lie side by side in the picture (a UV layout), so that covering a sample twice is an
+        accident, for which the scene has a policy.
     """
 
     vertex: Stage
-    triangle: str
-    depth: str
+    triangle: str = ""
+    depth: str = ""
     coverage: str = ""
+    layout: bool = False
 
     @property
     def varyings(self) -> dict[str, Any]:
@@ -58,6 +61,9 @@ class Pass:
     """Stages that run one after the other on every fragment of one draw.
 
     target: the scene table that has its width and height. on_demand: not part of "all" buffers, run if asked for.
+    registers: prefixes of the names that stages hand on inside the pass and that are no buffers.
+    rounds, feedback: a pass that runs several times: before each round but the first, an output (value) takes the place
+        of an input (key); with no round at all the outputs are the inputs.
     """
 
     name: str
@@ -65,12 +71,20 @@ class Pass:
     draw: MeshDraw | ScreenDraw
     stages: tuple[Stage, ...]
     on_demand: bool = False
+    registers: tuple[str, ...] = ()
+    rounds: int = 1
+    feedback: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """Name -> type of everything the draw and the stages give, in stage order."""
+        written = {s.writes[own]: kind for s in self.stages for own, kind in s.outputs.items()}
+        return self.draw.outputs | written
 
     @property
     def outputs(self) -> dict[str, Any]:
         """Buffer -> type of everything this pass can write, in stage order."""
-        written = {s.writes[own]: kind for s in self.stages for own, kind in s.outputs.items()}
-        return self.draw.outputs | written
+        return {name: kind for name, kind in self.values.items() if not name.startswith(self.registers)}
 
     def only(self, wanted: set[str]) -> "Pass":
         """The same pass with just the stages that `wanted` outputs depend on."""
@@ -85,7 +99,7 @@ class Pass:
     @property
     def reads(self) -> dict[str, Any]:
         """Name -> type of what the stages read from outside: uniforms, and buffers of earlier passes."""
-        inside = {*self.outputs, *self.draw.varyings, PIXEL}
+        inside = {*self.values, *self.draw.varyings, PIXEL}
         read = {stage.reads[own]: kind for stage in self.stages for own, kind in stage.parameters.items()}
         return {name: kind for name, kind in sorted(read.items()) if name not in inside}
 

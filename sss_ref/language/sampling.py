@@ -3,7 +3,7 @@
 from typing import TypeVar
 
 from sss_ref.language.builtins import clamp, mix
-from sss_ref.language.primitives import float32, floor, genType, int32, size, texel
+from sss_ref.language.primitives import float32, floor, genType, int32, select, size, texel
 from sss_ref.language.stage import function
 from sss_ref.language.types import Texture, ivec2, vec2
 
@@ -54,4 +54,31 @@ def sample_bilinear(texture: Texture[genType], corner: ivec2, t: vec2) -> genTyp
         texel_clamped(texture, corner + ivec2(0, 1)),
         texel_clamped(texture, corner + ivec2(1, 1)),
         t,
+    )
+
+
+@function
+def repeated(index: int, count: int) -> int:
+    """An index from -1 to `count`, brought round to the other end where it is outside."""
+    return select(index < 0, index + count, select(index < count, index, index - count))
+
+
+@function
+def texel_repeated(texture: Texture[T], at: ivec2) -> T:
+    """The stored value at a texel that is at most one beside the texture, which repeats there (GL_REPEAT)."""
+    extent = size(texture)
+    return texel(texture, ivec2(repeated(at.x, extent.x), repeated(at.y, extent.y)))
+
+
+@function
+def sample_bilinear_repeat(texture: Texture[genType], uv: vec2) -> genType:
+    """GL_LINEAR with GL_REPEAT: as between the texel centres around u - floor(u), v - floor(v)."""
+    at = texel_position(size(texture), vec2(uv.x - floor(uv.x), uv.y - floor(uv.y)))
+    corner = whole_part(at)
+    return bilinear_blend(
+        texel_repeated(texture, corner),
+        texel_repeated(texture, corner + ivec2(1, 0)),
+        texel_repeated(texture, corner + ivec2(0, 1)),
+        texel_repeated(texture, corner + ivec2(1, 1)),
+        vec2(at.x - floor(at.x), at.y - floor(at.y)),
     )

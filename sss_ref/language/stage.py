@@ -93,6 +93,11 @@ class Stage:
         reads = {own: names.get(own, name) for own, name in self.reads.items()}
         return replace(self, reads=reads, writes={own: names.get(own, name) for own, name in self.writes.items()})
 
+    def renamed(self, rename: Callable[[str], str]) -> "Stage":
+        """The same stage with every name that a pass sees replaced."""
+        reads = {own: rename(name) for own, name in self.reads.items()}
+        return replace(self, reads=reads, writes={own: rename(name) for own, name in self.writes.items()})
+
 
 def stage(source: str) -> Callable[[Callable[..., Any]], Stage]:
     """Make a Python function a stage (decorator); `source` says where its equation stands: "paper 3.2".

@@ -165,7 +165,7 @@ class _Rows(Generic[T]):
         if self.data.ndim == self.index_axes:
             return values
         vector = {2: vec2, 3: vec3, 4: vec4}[self.data.shape[-1]]
-        return vector(*(values[..., k] for k in range(self.data.shape[-1])))
+        return vector(*(values[..., k][()] for k in range(self.data.shape[-1])))
 
 
 class Texture(_Rows[T]):

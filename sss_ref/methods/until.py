@@ -11,7 +11,8 @@ def buffers_until(method: Method, end: str) -> list[str]:
     Raises SceneError for any other name.
     """
     lasts = {name: name for name in method.outputs}
-    lasts |= {stage.name: list(stage.writes.values())[-1] for one in method.passes for stage in one.stages}
+    stages = [stage for one in method.passes for stage in one.stages]
+    lasts |= {stage.name: name for stage in stages for name in stage.writes.values() if name in method.outputs}
     lasts |= {one.name: list(one.outputs)[-1] for one in method.passes}
     if end not in lasts:
         raise SceneError(f"until: expected a pass, a stage or a buffer ({', '.join(lasts)}), got {end!r}")

@@ -1,6 +1,8 @@
 """Every buffer of both methods: its unit, and what stands where nothing is drawn. The stages say the rest."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 
 @dataclass(frozen=True)
@@ -15,6 +17,12 @@ BUFFERS = {
     "light_triangle": Buffer("triangle index in scene order", -1),
     "light_depth": Buffer("window depth of the light's view, 0 to 1", 1.0),
     "light_distance": Buffer("scene units from the light", "light_clear_distance"),
+    "light_uv": Buffer("texture coordinates of what the light sees", -1.0),
+    "irradiance_mask": Buffer("1 where the layout covers the texel"),
+    "irradiance": Buffer("linear RGB"),
+    "irradiance_filled": Buffer("linear RGB"),
+    "irradiance_filled_mask": Buffer("1 where the widened layout covers the texel"),
+    "scattered_irradiance": Buffer("linear RGB"),
     "triangle": Buffer("triangle index in scene order", -1),
     "depth": Buffer("window depth of the camera's view, 0 to 1", 1.0),
     "coverage": Buffer("1 where the model is drawn"),
@@ -31,6 +39,8 @@ BUFFERS = {
     "incident_light": Buffer("linear RGB"),
     "phong": Buffer("linear RGB"),
     "translucency": Buffer("factor"),
+    "irradiance_uv": Buffer("texture coordinates on the irradiance map", -1.0),
+    "irradiance_used": Buffer("linear RGB"),
     "lit": Buffer("linear RGB"),
     "scattered": Buffer("linear RGB"),
     "image": Buffer("linear RGB", "background"),
@@ -39,5 +49,12 @@ BUFFERS = {
 
 
 def described(name: str) -> Buffer:
-    """The entry of a buffer; those of a kind are numbered: tap_00, tap_01 ..."""
+    """The entry of a buffer; those of a kind are numbered: tap_00, tap_01 ..., light_distance_1 ..."""
     return BUFFERS[name] if name in BUFFERS else BUFFERS[name.rstrip("0123456789").rstrip("_")]
+
+
+def background(name: str, uniforms: Mapping[str, Any]) -> Any:
+    """What a buffer holds where nothing is drawn: a number, or the uniform that gives it (that of the same light)."""
+    given = described(name).background
+    number = name.removeprefix(name.rstrip("0123456789"))
+    return uniforms.get(f"{given}_{number}", uniforms.get(given)) if isinstance(given, str) else given

@@ -44,6 +44,18 @@ def distance_to_light(fragment_position: vec3, light_position: vec3) -> LightDis
     return LightDistance(length(fragment_position - light_position))
 
 
+class LightUv(NamedTuple):
+    """Which point of the surface the shadow map saw."""
+
+    light_uv: vec2
+
+
+@stage(source="paper 2.2: it stores the fragment's UV coordinates in addition to the light distance")
+def uv_at_light(fragment_uv: vec2) -> LightUv:
+    """The UV of the surface point nearest to the light."""
+    return LightUv(fragment_uv)
+
+
 class ShadowLookup(NamedTuple):
     """Where a fragment falls on the shadow map, and what it finds there."""
 

@@ -22,3 +22,13 @@ def mesh_vertex(
     model = vec4(position, 1.0)
     world = world_from_model * model
     return MeshVertex(clip_from_model * model, world.xyz, normal_from_model * normal, uv)
+
+
+@stage(source="paper 3.3, Listing 1")
+def layout_vertex(
+    position: vec3, normal: vec3, uv: vec2, world_from_model: mat4, normal_from_model: mat3
+) -> MeshVertex:
+    """One vertex of the mesh, laid out flat by its UV: 0 ... 1 becomes -1 ... 1 of the device coordinates."""
+    world = world_from_model * vec4(position, 1.0)
+    flat = uv * 2.0 - 1.0
+    return MeshVertex(vec4(flat, 0.0, 1.0), world.xyz, normal_from_model * normal, uv)

@@ -34,19 +34,23 @@ class Target(NamedTuple):
 
 
 def visibility(
-    primitives: Primitives, viewport: Viewport, pool: Executor | None, band_rows: int = BAND_ROWS
+    primitives: Primitives,
+    viewport: Viewport,
+    pool: Executor | None,
+    band_rows: int = BAND_ROWS,
+    later_wins: bool = False,
 ) -> tuple[np.ndarray, np.ndarray]:
     """The visible piece of each pixel, int32 (H, W), -1 where there is none, and its depth, float32 (H, W), else 1.
 
     pool: what the bands are spread over; None draws them in this thread. band_rows: rows of a band; no bit depends on
-    either. The nearest piece wins (LESS); of two at the same depth the earlier.
+    either. The nearest piece wins (LESS); of two at the same depth the earlier, or the later if `later_wins`.
     """
     shape = (viewport.height, viewport.width)
     target = Target(np.empty(shape, np.int32), np.empty(shape, np.float32))
     bins = bin_pieces(primitives, viewport.height, viewport.step, band_rows)
 
     def draw(band: int) -> None:
-        draw_band(primitives, bins, band, band_rows, viewport.step, target)
+        draw_band(primitives, bins, (band, band_rows), viewport.step, later_wins, target)
 
     run: Callable[..., Iterable[None]] = map if pool is None else pool.map
     for _ in run(draw, range(len(bins.start) - 1)):
@@ -97,30 +101,32 @@ def sampled(primitives, piece, axis, size, step):
 
 
 @compiled
-def draw_band(primitives, bins, band, band_rows, step, target):
-    """Clear the rows of one band, then draw its pieces in scene order."""
+def draw_band(primitives, bins, place, step, later_wins, target):
+    """Clear the rows of one band, then draw its pieces in scene order; place: (band, rows of a band)."""
+    band, band_rows = place
     first_row = band * band_rows
     last_row = min(first_row + band_rows, len(target.depth)) - 1
     target.piece[first_row : last_row + 1] = -1
     target.depth[first_row : last_row + 1] = FAR
     for k in range(bins.start[band], bins.start[band + 1]):
-        draw_piece(primitives, bins.members[k], first_row, last_row, step, target)
+        draw_piece(primitives, bins.members[k], (first_row, last_row), step, later_wins, target)
 
 
 @compiled
-def draw_piece(primitives, piece, first_row, last_row, step, target):
-    """Draw one piece into the rows first_row..last_row."""
+def draw_piece(primitives, piece, rows, step, later_wins, target):
+    """Draw one piece into the rows rows[0]..rows[1]."""
     height, width = target.depth.shape
     first_column, last_column = sampled(primitives, piece, 0, width, step)
     bottom, top = sampled(primitives, piece, 1, height, step)
     weights = edges(primitives, piece, step)
     acceptances = acceptance(weights[0]), acceptance(weights[1]), acceptance(weights[2])
     corner_depths = depths(primitives, piece)
-    for row in range(max(bottom, first_row), min(top, last_row) + 1):
+    for row in range(max(bottom, rows[0]), min(top, rows[1]) + 1):
         first, last = covered_columns(acceptances, row, first_column, last_column)
         for column in range(first, last + 1):
             depth = window_depth(weights, corner_depths, column, row)
-            if depth < target.depth[row, column]:
+            there = target.depth[row, column]
+            if depth < there or (later_wins and depth == there and target.piece[row, column] >= 0):
                 target.depth[row, column] = depth
                 target.piece[row, column] = piece
 

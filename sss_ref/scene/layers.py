@@ -47,7 +47,7 @@ def override_paths(overrides: Mapping[str, Any]) -> set[KeyPath]:
     """The key paths of all single values in `overrides`."""
     paths: set[KeyPath] = set()
     for key, value in overrides.items():
-        head = tuple(int(part) if part.isdecimal() else part for part in key.split("."))
+        head = tuple(int(part) if _is_index(part) else part for part in key.split("."))
         inner = override_paths(value) if isinstance(value, Mapping) else set()
         paths |= {head + path for path in inner} or {head}
     return paths
@@ -58,13 +58,18 @@ def is_overridden(path: KeyPath, paths: set[KeyPath]) -> bool:
     return any(path[: len(other)] == other[: len(path)] for other in paths)
 
 
+def _is_index(part: str) -> bool:
+    """Whether a part of a key stands for a place in an array; Python refuses to read numbers of thousands of digits."""
+    return part.isdecimal() and len(part) < 10
+
+
 def _placed(base: Any, path: list[str], value: Any) -> Any:
     """A copy of `base` with `value` laid on what is at `path`."""
     if not path:
         return laid(base, value)
     head, *rest = path
     if isinstance(base, (list, tuple)):
-        if not (head.isdecimal() and int(head) < len(base)):
+        if not (_is_index(head) and int(head) < len(base)):
             raise LookupError(f"an index below {len(base)}", head)
         index = int(head)
         return [*base[:index], _placed(base[index], rest, value), *base[index + 1 :]]

@@ -10,14 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sss_ref.errors import SceneError
+from sss_ref.scene.albedo import albedo_of, albedo_warnings
 from sss_ref.scene.light_fit import Bounds, fitted
 from sss_ref.scene.matrices import Matrix, Vector, length, placement, transformed
-from sss_ref.scene.mesh import Mesh, load_mesh
+from sss_ref.scene.mesh import Mesh, array_hash, load_mesh
 from sss_ref.scene.quantities import FLOAT32_OVERFLOW
 from sss_ref.scene.settings import SceneFile, ShadowMap
 from sss_ref.scene.shipped import find_mesh
 from sss_ref.scene.topology import is_inside, is_watertight
-from sss_ref.scene.validation import opened, validated
+from sss_ref.scene.validation import Document, opened, validated
 from sss_ref.scene.viewpoints import Camera, LightSettings
 from sss_ref.scene.views import Light, View, camera_view, light_of
 
@@ -34,7 +35,13 @@ class Scene:
     world_from_model: Matrix  # (4, 4)
     camera: View
     lights: tuple[Light, ...]
+    albedo: Mapping[str, NDArray[Any]]  # the uniforms of the surface's colour, see albedo_of
     warnings: tuple[str, ...]  # what is drawn all the same, but may surprise
+
+    def input_hashes(self) -> dict[str, str]:
+        """Name of everything that was read from a mesh or texture file -> its `array_hash` after decoding (rule A5)."""
+        colors = {name: self.albedo[name] for name in ("albedo_map", "material_color") if name in self.albedo}
+        return self.mesh.hashes() | {name: array_hash(name, array) for name, array in colors.items()}
 
 
 def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any], /, **overrides: Any) -> Scene:
@@ -48,7 +55,7 @@ def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any], /, **overrides
     settings = validated(document, overrides)
     path = find_mesh(settings.mesh.path, document.folder)
     assert path is not None  # validation found it
-    return _assembled(settings, document.source, load_mesh(path))
+    return _assembled(settings, document, load_mesh(path))
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,20 +83,30 @@ class _Surface:
         return self.bounds.holds(point) and self.is_watertight and is_inside(point, self.points[self.mesh.triangles])
 
 
-def _assembled(settings: SceneFile, source: str, mesh: Mesh) -> Scene:
+def _assembled(settings: SceneFile, document: Document, mesh: Mesh) -> Scene:
     """The scene with its lights fitted to the mesh; raises one SceneError for all that does not fit together."""
     place = settings.mesh
     surface = _Surface(mesh, placement(*map(np.array, (place.scale, place.rotate_degrees, place.translate))))
     steps: dict[str, Callable[[], Any]] = {
         "mesh": partial(_check_extent, surface),
+        f"mesh.{'color' if place.texture is None else 'texture'}": partial(albedo_of, place, mesh, document.folder),
         "camera": partial(_placed_camera, settings.camera, surface),
     }
     for number, light in enumerate(settings.lights):
         steps[f"lights[{number}]"] = partial(_placed_light, light, settings.shadow_map, surface)
-    _, camera, *fits = _gathered(source, steps)
+    _, albedo, camera, *fits = _gathered(document.source, steps)
     resolved = settings.model_copy(update={"lights": tuple(light for light, _ in fits)})
     lights = tuple(light for _, light in fits)
-    return Scene(resolved, source, mesh, surface.world_from_model, camera, lights, _warnings(surface, camera, lights))
+    return Scene(
+        resolved,
+        document.source,
+        mesh,
+        surface.world_from_model,
+        camera,
+        lights,
+        albedo,
+        (*albedo_warnings(place, mesh), *_warnings(surface, camera, lights)),
+    )
 
 
 def _gathered(source: str, steps: Mapping[str, Callable[[], Any]]) -> list[Any]:

@@ -1,11 +1,12 @@
 """Loading a mesh: one list of triangles, whatever the file's format and however many parts it has.
 
 The parts are joined in the order of the file's scene graph as trimesh walks it, each moved by its own transform; quads
-and polygons arrive triangulated. That order is the scene order: it numbers the triangles in every buffer. Textures are
-not read. trimesh reads UVs of a glTF part only if the part has a material.
+and polygons arrive triangulated. That order is the scene order: it numbers the triangles in every buffer. Of the
+file's materials only the colours are read. trimesh reads UVs of a glTF part only if the part has a material.
 """
 
 import hashlib
+import io
 import re
 import warnings
 from collections.abc import Iterator
@@ -17,12 +18,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sss_ref.errors import MeshError
+from sss_ref.scene.materials import Material, gltf_colors, material_of
 from sss_ref.scene.matrices import cross, dot, normal_matrix, transformed
 from sss_ref.scene.normals import vertex_normals
 from sss_ref.scene.problems import shown
 from sss_ref.scene.shipped import MESH_SUFFIXES
-
-BYTE_LIMIT = 2**30
+from sss_ref.scene.untrusted import BYTE_LIMIT, OwnFolder, check_declarations
+from sss_ref.scene.uv_tiles import Tiled, into_unit_square
 
 # Faces of an OBJ file that trimesh would change without a word: fewer than three corners, or a vertex numbered 0.
 BROKEN_FACE = re.compile(rb"^f(?:[ \t]+\S+){0,2}[ \t\r]*$|^f[ \t](?:.*[ \t])?0(?:[/ \t\r].*)?$", re.MULTILINE)
@@ -37,15 +39,18 @@ class Mesh:
     name: str  # the file's name
     positions: FloatArray  # (V, 3), scene units before the scene's scale
     normals: FloatArray  # (V, 3), as stored or of length 1; 0 where the triangles around a vertex have no area
-    uvs: FloatArray | None  # (V, 2), origin bottom-left; None unless every part of the file has them
+    uvs: FloatArray | None  # (V, 2), origin bottom-left, as moved by uv_tiles; None unless every part has them
     triangles: NDArray[np.int32]  # (T, 3), indices of vertices
+    material: NDArray[np.int32]  # (T,), indices of materials
+    materials: tuple[Material, ...]
     normals_source: Literal["file", "computed"]
-    notes: tuple[str, ...] = ()  # what of the file was not used, and why
+    shifted: int = 0  # triangles whose UVs were moved into the unit square
+    notes: tuple[str, ...] = ()  # what of the file was changed or not used, and why
 
     def hashes(self) -> dict[str, str]:
-        """SHA-256 in hexadecimal of each array, over its name, type, shape and little-endian bytes."""
+        """Name of each array -> its `array_hash`."""
         arrays = ((field.name, getattr(self, field.name)) for field in fields(self))
-        return {name: _hash(name, array) for name, array in arrays if isinstance(array, np.ndarray)}
+        return {name: array_hash(name, array) for name, array in arrays if isinstance(array, np.ndarray)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +61,7 @@ class _Part:
     normals: FloatArray | None
     uvs: FloatArray | None
     triangles: NDArray[np.int64]
+    material: Material
 
 
 def load_mesh(path: Path) -> Mesh:
@@ -77,17 +83,33 @@ def load_mesh(path: Path) -> Mesh:
     source: Literal["file", "computed"] = "computed" if normals is None else "file"
     if normals is None:
         normals = vertex_normals(positions, triangles)
-    return Mesh(path.name, positions, normals, uvs, triangles, source, uv_notes + normal_notes)
+    material, materials = _joined_materials(parts)
+    tiled = Tiled(uvs, triangles) if uvs is None else into_unit_square(uvs, triangles)
+    return Mesh(
+        path.name,
+        positions[tiled.vertices],
+        normals[tiled.vertices],
+        tiled.uvs,
+        tiled.triangles,
+        material,
+        materials,
+        source,
+        tiled.shifted,
+        uv_notes + normal_notes + tiled.notes,
+    )
 
 
 def _check_file(path: Path) -> None:
     if path.suffix.lower() not in MESH_SUFFIXES:
         raise _refused(path, f"one of {', '.join(MESH_SUFFIXES)}", path.suffix or "no suffix", "convert the mesh")
     try:
+        if not path.is_file() and path.exists():  # reading a pipe or a device may never end
+            raise _refused(path, "a readable file", "a folder or a device", "check the path")
         with path.open("rb") as file:
             size = file.seek(0, 2)
-    except OSError as error:
-        raise _refused(path, "a readable file", error.strerror or "none", "check the path") from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise _refused(path, "a readable file", reason, "check the path") from None
     if size > BYTE_LIMIT:
         raise _refused(path, f"at most {BYTE_LIMIT} bytes", str(size), "simplify the mesh")
     if path.suffix.lower() == ".obj":
@@ -103,33 +125,40 @@ def _check_faces(path: Path) -> None:
 
 def _parts(path: Path) -> Iterator[_Part]:
     """The triangle meshes of a file in graph order; points and lines are passed over."""
-    scene = _read(path)
-    for node in scene.graph.nodes_geometry:
-        transform, name = scene.graph[node]
-        geometry = scene.geometry[name]
+    placed = _read(path)
+    exact = gltf_colors(path)
+    for geometry, transform in placed:
         if hasattr(geometry, "faces"):
-            yield _placed(path, geometry, np.asarray(transform, np.float64))
+            yield _placed(path, geometry, np.asarray(transform, np.float64), material_of(geometry.visual, exact))
 
 
-def _read(path: Path) -> Any:
-    """The file as trimesh reads it, vertices untouched.
+def _read(path: Path) -> list[tuple[Any, Any]]:
+    """The geometries of a file and their transforms as trimesh reads them, vertices untouched.
 
     The vertices of a PLY file would be renumbered by their UVs, which only UVs stored by triangle need.
     """
     import trimesh
 
+    data, folder = path.read_bytes(), OwnFolder(path)
+    check_declarations(path, data)
     suffix = path.suffix.lower()
     options: dict[str, dict[str, Any]] = {
-        ".obj": {"skip_materials": True},
         ".ply": {"skip_materials": True, "fix_texture": _has_uvs_by_triangle(path)},
     }
     try:
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
-            return trimesh.load_scene(path, process=False, **options.get(suffix, {}))
+            chosen = {"process": False, "file_type": suffix[1:], "resolver": folder, **options.get(suffix, {})}
+            scene = trimesh.load_scene(io.BytesIO(data), **chosen)
+            placed = [(scene.geometry[name], place) for place, name in map(scene.graph.get, scene.graph.nodes_geometry)]
+    except MeshError:
+        raise
     except Exception as error:  # whatever a broken file makes trimesh raise
         reason = f"one that cannot be read ({type(error).__name__}: {error})".splitlines()[0]
         raise _refused(path, f"a valid {suffix[1:]} file", reason, "export the mesh again") from None
+    if folder.refusal:
+        raise folder.refusal
+    return placed
 
 
 def _has_uvs_by_triangle(path: Path) -> bool:
@@ -140,7 +169,7 @@ def _has_uvs_by_triangle(path: Path) -> bool:
         return b"texcoord" in file.read(1 << 16).partition(b"end_header")[0]
 
 
-def _placed(path: Path, geometry: Any, transform: NDArray[np.float64]) -> _Part:
+def _placed(path: Path, geometry: Any, transform: NDArray[np.float64], material: Material) -> _Part:
     """A geometry under its node's transform: float64, rounded once. Mirrored parts are turned right side out."""
     mirrored, matrix = _orientation(path, transform)
     positions = _points(path, geometry.vertices, 3, "positions")
@@ -154,6 +183,7 @@ def _placed(path: Path, geometry: Any, transform: NDArray[np.float64]) -> _Part:
         None if normals is None else _rounded(normals),
         None if uvs is None else _float32(path, _points(path, uvs, 2, "UVs"), "UVs"),
         _indices(path, geometry.faces, len(positions))[:, :: -1 if mirrored else 1],
+        material,
     )
 
 
@@ -211,6 +241,13 @@ def _joined_triangles(path: Path, parts: list[_Part]) -> NDArray[np.int32]:
     return np.ascontiguousarray(np.concatenate(shifted), np.int32)
 
 
+def _joined_materials(parts: list[_Part]) -> tuple[NDArray[np.int32], tuple[Material, ...]]:
+    """The number of each triangle's material, and the materials, each once."""
+    materials = tuple(dict.fromkeys(part.material for part in parts))
+    numbers = [materials.index(part.material) for part in parts]
+    return np.repeat(np.array(numbers, np.int32), [len(part.triangles) for part in parts]), materials
+
+
 def _joined_uvs(path: Path, parts: list[_Part]) -> tuple[FloatArray | None, tuple[str, ...]]:
     stored = [part.uvs for part in parts if part.uvs is not None]
     if not stored:
@@ -245,7 +282,8 @@ def _declares(path: Path, keyword: str) -> bool:
     return path.suffix.lower() == ".obj" and bool(re.search(rf"(?m)^{keyword}\s".encode(), path.read_bytes()))
 
 
-def _hash(name: str, array: NDArray[Any]) -> str:
+def array_hash(name: str, array: NDArray[Any]) -> str:
+    """SHA-256 in hexadecimal of an input as decoded: over its name, type, shape and little-endian bytes (rule A5)."""
     array = np.ascontiguousarray(array, array.dtype.newbyteorder("<"))
     shape = ",".join(map(str, array.shape))
     header = f"sss_ref input 1\n{name}\n{array.dtype.str}\n{shape}\n"

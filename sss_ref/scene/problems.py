@@ -26,11 +26,8 @@ FOUND_BY_TYPE = {
     "model_attributes_type": ("a table", "give its keys, each with a value"),
 }
 
-# Keys that a reader of the paper will look for and that this version does not know.
-NOT_YET: dict[KeyPath, str] = {("mesh", "texture"): "textures are not supported yet, use mesh.color"}
-
 # Where a value may have one of several forms, pydantic inserts the form's name after these keys.
-CHOICES: tuple[KeyPath, ...] = (("camera",), ("blur", "kernel"))
+CHOICES: tuple[KeyPath, ...] = (("camera",), ("mesh", "color"), ("blur", "kernel"))
 
 
 def unmet(expected: str, remedy: str) -> PydanticCustomError:
@@ -50,8 +47,7 @@ def described(error: ErrorDetails, known: Iterable[str]) -> tuple[KeyPath, str]:
     """
     path = key_path(error["loc"])
     if error["type"] == "extra_forbidden":
-        remedy = NOT_YET.get(path) or _nearest(str(path[-1]), known)
-        return path, told(written(path), "a known key", "this one", remedy)
+        return path, told(written(path), "a known key", "this one", _nearest(str(path[-1]), known))
     expected, remedy = _expectation(error)
     came = "nothing" if error["type"] == "missing" else shown(error["input"])
     return path, told(written(path), expected, came, remedy)
@@ -73,7 +69,10 @@ def written(path: KeyPath) -> str:
 
 def shown(value: Any) -> str:
     """A value as TOML would show it, cut to a line's length."""
-    text = json.dumps(value, default=str)
+    try:
+        text = json.dumps(value, default=str)
+    except (TypeError, ValueError, RecursionError):  # a key that is no text, an integer of thousands of digits, a cycle
+        text = f"a value of type {type(value).__name__}"
     return text if len(text) <= 60 else f"{text[:57]}..."
 
 

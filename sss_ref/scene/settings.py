@@ -4,6 +4,7 @@ World space is right-handed with +Y up. Lengths are scene units, angles degrees,
 default is filled by the preset, or else the file must give it. All models are strict, closed and frozen.
 """
 
+import os
 from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag, ValidationInfo, field_validator
@@ -34,7 +35,11 @@ SHADOW_BYTES = 12  # per texel: light_distance, light_depth, light_triangle
 
 KernelName = Annotated[Literal["table1", "hbh09", "schoenberger"], Tag("name")]
 KernelTable = Annotated[tuple[TapRow, ...], Field(strict=False), requiring(len, "at least one row"), Tag("table")]
-ONE_LIGHT = requiring(lambda lights: len(lights) == 1, "one light", "several lights are not supported yet")
+LIGHTS = requiring(lambda lights: 1 <= len(lights) <= 16, "1 to 16 lights", "add or remove [[lights]]")
+MeshColor = Annotated[
+    Annotated[Literal["material"], Tag("name")] | Annotated[Color, Tag("rgb")],
+    Discriminator(lambda value: "name" if isinstance(value, str) else "rgb"),
+]
 Kernel = Annotated[KernelName | KernelTable, Discriminator(lambda value: "name" if isinstance(value, str) else "table")]
 
 
@@ -49,8 +54,17 @@ class MeshSettings(Table):
     """Angles about the fixed axes X, Y, Z, counter-clockwise seen from the axis' tip."""
     translate: Vector = (0.0, 0.0, 0.0)
     """World position of the mesh's origin."""
-    color: Color = (0.7, 0.4, 0.4)
-    """Albedo, linear RGB."""
+    color: MeshColor = (0.7, 0.4, 0.4)
+    """Albedo, linear RGB; "material": of each triangle the colour of its material in the mesh file."""
+    texture: str | None = None
+    """Albedo from a PNG or JPEG file, sRGB, relative to the scene file. It replaces color and repeats beyond 0..1."""
+
+    @property
+    def albedo(self) -> Literal["texture", "material", "constant"]:
+        """Where the albedo comes from."""
+        if self.texture is not None:
+            return "texture"
+        return "material" if self.color == "material" else "constant"
 
     @field_validator("path")
     @classmethod
@@ -58,6 +72,13 @@ class MeshSettings(Table):
         if info.context and find_mesh(path, info.context["folder"]) is None:
             raise unmet("a mesh file or a shipped mesh's name", f"check the path (shipped: {', '.join(mesh_names())})")
         return path
+
+    @field_validator("texture")
+    @classmethod
+    def _texture_exists(cls, texture: str | None, info: ValidationInfo) -> str | None:
+        if texture is not None and info.context and not os.path.isfile(info.context["folder"] / texture):
+            raise unmet("a PNG or JPEG file", "check the path, which starts at the scene file")
+        return texture
 
 
 class ShadowMap(Table):
@@ -185,7 +206,7 @@ class SceneFile(Table):
     """Millimetres per scene unit: a note for the reader. T depends on the unit, so it is never converted."""
     mesh: MeshSettings
     camera: Camera
-    lights: Annotated[tuple[LightSettings, ...], Field(strict=False), ONE_LIGHT]
+    lights: Annotated[tuple[LightSettings, ...], Field(strict=False), LIGHTS]
     shadow_map: ShadowMap = ShadowMap()
     phong: Phong = Phong()
     translucency: Translucency

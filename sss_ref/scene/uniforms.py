@@ -8,21 +8,24 @@ from sss_ref.scene.load import Scene
 from sss_ref.scene.matrices import normal_matrix
 from sss_ref.scene.views import Light
 
-NEUTRAL = {"multiply": 1.0, "add": 0.0, "transmit": 0.0}  # what leaves `lit` as it is
+NEUTRAL = {  # what leaves the colour as it is, by method and by how T joins the light
+    "screen_space": {"multiply": 1.0, "add": 0.0, "transmit": 0.0},
+    "texture_space": {"sqrt": 1.0, "product": 0.0},
+}
 
 
 def uniforms(scene: Scene) -> dict[str, Any]:
     """Every uniform of every stage; matrices are M[row][column], vectors (N,), uniform arrays one row an element."""
     settings = scene.settings
+    joined = settings.translucency.combine if settings.method == "screen_space" else settings.irradiance_map.image
     taps = np.array(settings.blur.taps, np.float32)
     values = {
         "world_from_model": scene.world_from_model,
         "normal_from_model": normal_matrix(scene.world_from_model),
         "camera_clip_from_model": scene.camera.clip_from(scene.world_from_model),
         "camera_position": scene.camera.eye,
-        "mesh_color": settings.mesh.color,
         "light_count": len(scene.lights),
-        **light_uniforms(scene.lights[0], scene),
+        **light_uniforms(scene),
         "lookup_inset": settings.shadow_map.lookup_inset,
         "bias_abs": settings.shadow_map.bias_abs,
         "bias_slope": settings.shadow_map.bias_slope,
@@ -35,7 +38,7 @@ def uniforms(scene: Scene) -> dict[str, Any]:
         "exponent": settings.translucency.exponent,
         "d_min": settings.translucency.d_min,
         "translucency_scale": settings.translucency.scale,
-        "translucency_neutral": NEUTRAL[settings.translucency.combine],
+        "translucency_neutral": NEUTRAL[settings.method][joined],
         "pixel_scale": settings.blur.pixel_scale,
         "tap_offset": taps[:, :2],
         "tap_weight": taps[:, 2:],
@@ -44,10 +47,19 @@ def uniforms(scene: Scene) -> dict[str, Any]:
         **{f"tap_{number:02}_weight": tap[2:] for number, tap in enumerate(taps)},
     }
     rounded = {name: np.array(value, np.float32, order="C") for name, value in values.items()}
-    return {name: value if value.ndim else value[()] for name, value in rounded.items()} | {"tap_count": len(taps)}
+    scalars = {name: value if value.ndim else value[()] for name, value in rounded.items()}
+    return {**scalars, **scene.albedo, "tap_count": len(taps)}
 
 
-def light_uniforms(light: Light, scene: Scene) -> dict[str, Any]:
+def light_uniforms(scene: Scene) -> dict[str, Any]:
+    """The uniforms of all lights; where there are several, each name ends in the light's number: light_position_1."""
+    if len(scene.lights) == 1:
+        return uniforms_of_light(scene.lights[0], scene)
+    numbered = [(number, uniforms_of_light(light, scene)) for number, light in enumerate(scene.lights, start=1)]
+    return {f"{name}_{number}": value for number, values in numbered for name, value in values.items()}
+
+
+def uniforms_of_light(light: Light, scene: Scene) -> dict[str, Any]:
     """The uniforms of one light and of its shadow map."""
     return {
         "light_clip_from_model": light.view.clip_from(scene.world_from_model),

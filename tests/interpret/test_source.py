@@ -93,7 +93,7 @@ def test_float_literals_are_float32_constants():
         ({"uv"}, ["surface"]),
         ({"stored_distance"}, ["surface", "shadow_lookup_nearest"]),
         ({"thickness", "uv"}, ["surface", "shadow_lookup_nearest", "back_point"]),
-        ({"phong"}, ["surface", "light_constant", "phong_shading"]),
+        ({"phong"}, ["surface", "albedo_constant", "light_constant", "phong_shading"]),
         (
             {"translucency"},
             ["surface", "shadow_lookup_nearest", "back_point", "directly_lit_slope", "translucency_ratio"],

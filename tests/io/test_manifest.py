@@ -21,6 +21,7 @@ def test_holds_what_a_stranger_needs(result, saved):
     assert document["scene"]["mesh_file"].endswith("tetrahedron.obj")
     assert document["inputs"] == result.scene.mesh.hashes()
     assert (document["interpreter"], document["threads"]) == ("kernel", 2)
+    assert document["samples"] == 1
     assert set(document["milliseconds"]) == {"shadow_map", "camera", "blur", "composite"}
     assert document["environment"]["numba"] == version("numba")
     assert document["row_order"] == {"npy": "bottom row first", "exr": "top row first", "png": "top row first"}

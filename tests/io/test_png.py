@@ -42,3 +42,9 @@ def test_file_is_top_row_first_and_alpha_is_coverage(tmp_path, channels):
     assert np.array_equal(pixels[::-1, :, :3], srgb8(image))
     if channels == 4:
         assert np.array_equal(pixels[::-1, :, 3], coverage * 255)
+
+
+def test_share_of_coverage_is_rounded_to_the_nearest_alpha(tmp_path):
+    share = np.float32([[0, 0.25, 0.5, 1]])  # 255 times it: 0, 63.75, 127.5 (to the even neighbour), 255
+    write_png(tmp_path / "x.png", np.zeros((1, 4, 3), np.float32), share)
+    assert imageio.imread(tmp_path / "x.png")[0, :, 3].tolist() == [0, 64, 128, 255]

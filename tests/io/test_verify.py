@@ -7,7 +7,7 @@ import pytest
 from sss_ref.errors import DumpError, MeshError, SceneError
 from sss_ref.io import verify as verify_module
 from sss_ref.io.folder import save
-from sss_ref.io.verify import bits, first_difference, verify
+from sss_ref.io.verify import verify
 from sss_ref.rendering import render
 from sss_ref.scene.load import load_scene
 
@@ -121,19 +121,3 @@ def test_edited_settings_are_another_computation(own):
     document["scene"]["settings"]["camera"]["width"] = 40
     path.write_text(json.dumps(document))
     assert verify(own).message == ("computation differs: buffer triangle, its shape: recorded (32, 48), now (32, 40)")
-
-
-def test_first_difference_by_hand():
-    recorded = np.array([[0, 1], [2, 3]], np.int32)
-    computed = np.array([[0, 1], [-1, 4]], np.int32)
-    assert first_difference(recorded, computed) == (
-        "first at pixel 0,1 (column,row; row 0 at the bottom): recorded 2 (0x00000002), now -1 (0xffffffff); "
-        "2 of 4 pixels differ"
-    )
-
-
-def test_zeros_of_either_sign_differ():
-    zeros = np.array([[0.0, -0.0]], np.float32)
-    assert bits(zeros).tolist() == [[0, 0x80000000]]
-    assert "recorded 0.0 (0x00000000), now -0.0 (0x80000000); 1 of 2" in first_difference(np.abs(zeros), zeros)
-    assert "recorded 1 (0x01), now 0 (0x00)" in first_difference(np.ones((1, 1), "u1"), np.zeros((1, 1), "u1"))

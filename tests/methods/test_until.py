@@ -2,8 +2,8 @@ import pytest
 
 from sss_ref.errors import SceneError
 from sss_ref.language.pipeline import Method, Pass, ScreenDraw
-from sss_ref.methods.screen_space import CAMERA_VIEW, LIGHT_VIEW
 from sss_ref.methods.until import buffers_until
+from sss_ref.methods.views import CAMERA_VIEW, LIGHT_VIEW
 from sss_ref.passes import blur, shadow_map
 from sss_ref.passes.camera import surface
 
@@ -25,7 +25,7 @@ BUFFERS = list(METHOD.outputs)
         ("distance_to_light", "light_distance"),
         ("light_depth", "light_depth"),
         ("light_triangle", "light_triangle"),
-        ("camera", "albedo"),
+        ("camera", "uv"),
         ("normal_world", "normal_world"),
         ("scatter", "scattered"),
         ("surface", "scattered"),  # the pass, not the stage of that name

@@ -11,6 +11,7 @@ from passes.one_stage import Inputs
 LIGHT_POSITION = np.array([0.25, 0.5, 1.0], np.float32)
 LIGHT_CLIP_FROM_WORLD = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1, -0.25], [0, 0, -1, 0]], np.float32)  # w = -z
 MAP_WIDTH, MAP_HEIGHT = 7, 5
+LAYOUT_WIDTH, LAYOUT_HEIGHT = 6, 9  # of the blurred irradiance
 
 POSITIONS = [
     LIGHT_POSITION,
@@ -29,7 +30,9 @@ POSITIONS = [
 ]
 NORMALS = [[0, 0, 0], [-0.0, -0.0, -0.0], [1, 0, 0], [-1, 0, 0], [0, 0, 1], [0, 0, -1], [1e-30, 0, 0]]
 COLORS = [[0, 0, 0], [-0.0, 0, -0.0], [1, 1, 1]]
-UVS = [[0, 0], [1, 1], [-0.0, 0.5]]
+UVS = [[0, 0], [1, 1], [-0.0, 0.5], [0.5, 1]]
+OUTSIDE = [[-1, -1], [-0.25, 0.5], [1.5, 1.25]]  # no point of the shadow map; UVs that were clipped away
+FAR_UVS = [*UVS, [-1e-30, 1.0000001], [0.99999994, -1], [3, 1e30], [-0.5, 2.05]]  # -1e-30 - floor(-1e-30) rounds to 1
 THICKNESSES = [0.0, 1e-30, 0.1, 0.09999999, 1e30]  # with d_min = .1: both sides of it
 
 KERNEL = [
@@ -60,6 +63,8 @@ UNIFORMS: dict[str, Any] = {
     "bias_slope": np.float32(1.5),
     "camera_position": np.array([0, 0.5, 3], np.float32),
     "mesh_color": np.array([0.7, 0.4, -0.0], np.float32),
+    "triangle_material": np.array([0, 3, 1, 1, 2, 0, 3], np.int32),
+    "material_color": np.array([[0.1, 0.2, 0.3], [1, 0, -0.0], [0, 0, 0], [0.7, 0.6, 0.5]], np.float32),
     "background": np.array([0.1, -0.0, 0.3], np.float32),
     "ambient": np.float32(0.1),
     "diffuse": np.float32(0.9),
@@ -95,6 +100,8 @@ VARIANTS: dict[str, list[dict[str, Any]]] = {  # stage -> further uniforms to ru
     "translucency_exponent": TRANSLUCENCY,
     "translucency_beer": TRANSLUCENCY,
     "lit_transmit": [{"light_count": np.float32(3)}],
+    "gloss_where_lit": [{"shininess": np.float32(0.3)}],
+    "irradiance_added": [{"translucency_scale": np.float32(0)}],
     "scatter": BLUR,
     "single_tap": [FAR],
     "scatter_inside": BLUR,
@@ -134,7 +141,8 @@ class Picture:
 def random_inputs(rng: np.random.Generator, width: int, height: int) -> Inputs:
     """Every buffer and uniform that stages read."""
     picture = Picture(rng, width, height)
-    return Inputs(width, height, {**geometry(picture), **shading(picture), **shadow_map(rng)}, UNIFORMS)
+    buffers = {**geometry(picture), **shading(picture), **shadow_map(rng), **texture_space(picture), **colors(picture)}
+    return Inputs(width, height, buffers, UNIFORMS)
 
 
 def geometry(picture: Picture) -> dict[str, np.ndarray]:
@@ -179,4 +187,34 @@ def shadow_map(rng: np.random.Generator) -> dict[str, np.ndarray]:
     return {
         "light_distance": rng.uniform(0.3, 3, shape).astype(np.float32),
         "light_triangle": rng.choice(np.array([-1, 0, 5, 6, 7, 8], np.int32), shape),
+        "light_uv": np.where(rng.random((*shape, 1)) < 0.2, -1, rng.random((*shape, 2))).astype(np.float32),
+    }
+
+
+def texture_space(picture: Picture) -> dict[str, np.ndarray]:
+    """A sparse irradiance map with texels on its border, the blurred one, and UVs at which fragments look it up."""
+    rng = picture.rng
+    mask = picture.truth(0.1)
+    mask[0, :4] = mask[-1, -4:] = 1
+    return {
+        "irradiance": picture.color(),  # black beside the charts or not, as a dump may have it
+        "irradiance_mask": mask,
+        "scattered_irradiance": rng.random((LAYOUT_HEIGHT, LAYOUT_WIDTH, 3)).astype(np.float32),
+        "uv": picture.mixed(rng.random((*picture.shape, 2)), UVS + OUTSIDE),
+        "shadow_uv": picture.mixed(rng.random((*picture.shape, 2)), UVS + OUTSIDE),
+        "irradiance_uv": picture.mixed(rng.random((*picture.shape, 2)), UVS + OUTSIDE),
+        "irradiance_used": picture.color() - np.float32(0.25),  # below 0 where a kernel has negative weights
+        "gloss": picture.color(),
+        "first": picture.color(),
+        "second": picture.color(),
+    }
+
+
+def colors(picture: Picture) -> dict[str, np.ndarray]:
+    """What the albedo comes from: a texture of a size of its own with uv in and beyond it, and triangles."""
+    rng = picture.rng
+    return {
+        "uv": picture.mixed(rng.uniform(-2, 3, (*picture.shape, 2)), FAR_UVS),
+        "albedo_map": rng.random((MAP_HEIGHT, MAP_WIDTH, 3)).astype(np.float32),
+        "triangle": rng.integers(0, len(UNIFORMS["triangle_material"]), picture.shape).astype(np.int32),
     }

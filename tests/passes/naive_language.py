@@ -36,7 +36,7 @@ def maximum(x, y):
 # Vectors
 
 
-def plus(a, b):
+def added(a, b):
     return [p + q for p, q in zip(a, b, strict=True)]
 
 

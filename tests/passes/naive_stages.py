@@ -9,6 +9,7 @@ import numpy as np
 
 from passes.naive_language import (
     F,
+    added,
     between_centres,
     bilinear,
     correctly_rounded,
@@ -21,7 +22,6 @@ from passes.naive_language import (
     nearest,
     negative,
     normalize,
-    plus,
     power,
     reflect,
     scaled,
@@ -43,8 +43,28 @@ def mesh_vertex(position, normal, uv, world_from_model, normal_from_model, clip_
     )
 
 
-def surface(fragment_position, fragment_normal, fragment_uv, mesh_color):
-    return fragment_position, normalize(fragment_normal), fragment_uv, mesh_color
+def layout_vertex(position, normal, uv, world_from_model, normal_from_model):
+    flat = [v * F(2) - F(1) for v in uv]
+    world = transform(world_from_model, [*position, F(1)])[:3]
+    return [*flat, F(0), F(1)], world, transform(normal_from_model, normal), uv
+
+
+def surface(fragment_position, fragment_normal, fragment_uv):
+    return fragment_position, normalize(fragment_normal), fragment_uv
+
+
+def albedo_constant(mesh_color):
+    return (mesh_color,)
+
+
+def albedo_textured(uv, albedo_map):
+    corner, t = between_centres(albedo_map, [v - np.floor(v) for v in uv])
+    framed = np.pad(albedo_map, ((1, 1), (1, 1), (0, 0)), mode="wrap")  # what repeats stands around the picture
+    return (bilinear(framed, [k + 1 for k in corner], t),)
+
+
+def albedo_by_material(triangle, triangle_material, material_color):
+    return (material_color[triangle_material[triangle]],)
 
 
 # Shadow map
@@ -52,6 +72,10 @@ def surface(fragment_position, fragment_normal, fragment_uv, mesh_color):
 
 def distance_to_light(fragment_position, light_position):
     return (length(minus(fragment_position, light_position)),)
+
+
+def uv_at_light(fragment_uv):
+    return (fragment_uv,)
 
 
 def _shadow_uv(position, clip_from_world, lookup_inset):
@@ -92,7 +116,7 @@ def back_point(position_world, light_position, stored_distance, shadow_valid):
     if not shadow_valid:
         return position_world, F(0)
     direction = normalize(minus(position_world, light_position))
-    entry_point = plus(light_position, scaled(direction, stored_distance))
+    entry_point = added(light_position, scaled(direction, stored_distance))
     return entry_point, length(minus(position_world, entry_point))
 
 
@@ -131,6 +155,13 @@ def light_inverse_square(position_world, light_position, light_color, light_inte
     return (scaled(light_color, light_intensity * falloff),)
 
 
+def _highlight(position, normal, light_position, camera_position, shininess):
+    to_light = normalize(minus(light_position, position))
+    to_eye = normalize(minus(camera_position, position))
+    mirrored = dot(to_eye, reflect(negative(to_light), normal))
+    return F(0) if dot(normal, to_light) <= 0 or mirrored <= 0 else power(mirrored, shininess)
+
+
 def phong_shading(
     position_world,
     normal_world,
@@ -144,13 +175,10 @@ def phong_shading(
     shininess,
     light_count,
 ):
-    to_light = normalize(minus(light_position, position_world))
-    to_eye = normalize(minus(camera_position, position_world))
-    facing = dot(normal_world, to_light)
-    mirrored = dot(to_eye, reflect(negative(to_light), normal_world))
-    s = F(0) if facing <= 0 or mirrored <= 0 else power(mirrored, shininess)
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    s = _highlight(position_world, normal_world, light_position, camera_position, shininess)
     lambert = scaled(incident_light, diffuse * maximum(facing, F(0)))
-    reflected = plus([ambient / light_count + v for v in lambert], scaled(incident_light, specular * s))
+    reflected = added([ambient / light_count + v for v in lambert], scaled(incident_light, specular * s))
     return (times(reflected, albedo),)
 
 
@@ -183,7 +211,7 @@ def lit_multiply(phong, directly_lit, translucency):
 def lit_add(phong, albedo, translucency, position_world, normal_world, light_position, translucency_scale):
     facing = dot(normal_world, normalize(minus(light_position, position_world)))
     factor = (translucency * translucency_scale) * (F(1) - maximum(facing, F(0)))
-    return (plus(phong, scaled(albedo, factor)),)
+    return (added(phong, scaled(albedo, factor)),)
 
 
 def lit_transmit(
@@ -202,7 +230,7 @@ def lit_transmit(
     facing = dot(normal_world, normalize(minus(light_position, position_world)))
     reflected = phong if directly_lit else scaled(albedo, ambient / light_count)
     factor = (translucency * translucency_scale) * maximum(-facing, F(0))
-    return (plus(reflected, scaled(times(albedo, incident_light), factor)),)
+    return (added(reflected, scaled(times(albedo, incident_light), factor)),)
 
 
 # Blur
@@ -218,7 +246,7 @@ def _taps(pixel, tap_offset, tap_weight, tap_count, pixel_scale):
 def _sum(terms):
     total = terms[0]
     for term in terms[1:]:
-        total = plus(total, term)
+        total = added(total, term)
     return total
 
 
@@ -251,3 +279,96 @@ def over_background(scattered, coverage, background):
 
 def glow(scattered):
     return (scattered,)
+
+
+# Irradiance in texture space
+
+
+def irradiance_paper(position_world, normal_world, light_position, incident_light):
+    distance = length(minus(position_world, light_position))
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    return (scaled(incident_light, distance * maximum(facing, F(0))),)
+
+
+def irradiance_lambert(position_world, normal_world, light_position, incident_light, directly_lit, shadow_valid):
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    in_shadow = shadow_valid and not directly_lit
+    return (scaled(incident_light, F(0) if in_shadow else maximum(facing, F(0))),)
+
+
+def irradiance_distance(position_world, light_position, incident_light):
+    return (scaled(incident_light, length(minus(position_world, light_position))),)
+
+
+def dilate(irradiance, irradiance_mask, pixel):
+    """R8: itself, then left, right, below, above, then the corners, the lower ones first, each pair from the left."""
+    column, row = pixel
+    height, width = irradiance_mask.shape
+    for x, y in [(0, 0), (-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, -1), (-1, 1), (1, 1)]:
+        i, j = column + x, row + y
+        if 0 <= i < width and 0 <= j < height and irradiance_mask[j, i]:
+            return irradiance[j, i], True
+    return irradiance[row, column], False
+
+
+# The picture in texture space
+
+
+def irradiance_lookup(uv, directly_lit, shadow_valid, shadow_uv, light_uv):
+    return (nearest(light_uv, shadow_uv) if shadow_valid and not directly_lit else uv,)
+
+
+def _irradiance_at(scattered_irradiance, uv):
+    on_map = [min(max(v, F(0)), F(1)) for v in uv]
+    return bilinear(scattered_irradiance, *between_centres(scattered_irradiance, on_map))
+
+
+def irradiance_replaced(uv, irradiance_uv, directly_lit, translucency, scattered_irradiance):
+    if directly_lit:
+        return (_irradiance_at(scattered_irradiance, uv),)
+    return (scaled(_irradiance_at(scattered_irradiance, irradiance_uv), translucency),)
+
+
+def irradiance_added(
+    uv,
+    irradiance_uv,
+    translucency,
+    translucency_scale,
+    position_world,
+    normal_world,
+    light_position,
+    scattered_irradiance,
+):
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    factor = (translucency * translucency_scale) * maximum(-facing, F(0))
+    through = scaled(_irradiance_at(scattered_irradiance, irradiance_uv), factor)
+    return (added(_irradiance_at(scattered_irradiance, uv), through),)
+
+
+def image_sqrt(irradiance_used, phong):
+    return ([np.sqrt(maximum(v, F(0))) for v in times(irradiance_used, phong)],)
+
+
+def gloss_where_lit(
+    position_world,
+    normal_world,
+    light_position,
+    camera_position,
+    incident_light,
+    directly_lit,
+    specular,
+    shininess,
+):
+    s = _highlight(position_world, normal_world, light_position, camera_position, shininess)
+    return (scaled(incident_light, specular * s) if directly_lit else [F(0)] * 3,)
+
+
+def image_product(irradiance_used, gloss, ambient, albedo):
+    return (times([(ambient + i) + g for i, g in zip(irradiance_used, gloss, strict=True)], albedo),)
+
+
+# Several lights
+
+
+def plus(first, second):
+    return (added(first, second),)

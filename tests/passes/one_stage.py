@@ -11,7 +11,7 @@ import numpy as np
 
 import sss_ref.passes
 from sss_ref.interpret.work import CHANNELS, Fragments, Work, dtype_of, shape_of, uniform_value
-from sss_ref.language import Stage, Texture, ivec2
+from sss_ref.language import Array, Stage, Texture, ivec2
 from sss_ref.language.pipeline import PIXEL, Pass, ScreenDraw
 from sss_ref.language.types import components
 
@@ -28,12 +28,13 @@ def _stages_of(module: ModuleType) -> list[Stage]:
 
 
 def call(stage: Stage, **inputs: Any) -> tuple[Any, ...]:
-    """The values a stage returns for one fragment, vectors as tuples; each must be float32 or a truth value."""
+    """The values a stage returns for one fragment, vectors as tuples; each is float32, a truth value or a literal."""
     arguments = [_value(kind, inputs.pop(name)) for name, kind in stage.parameters.items()]
     assert not inputs, f"{stage.name} does not read {', '.join(inputs)}"
     with np.errstate(all="ignore"):  # as the interpreters: both sides of a select are computed
         results = [components(value) for value in stage(*arguments)]
-    assert all(isinstance(part, np.float32 | np.bool_ | bool) for parts in results for part in parts)
+    computed = [np.asarray(part) for parts in results for part in parts if type(part) is not float]
+    assert all(part.dtype in (np.float32, np.bool_) for part in computed)
     return tuple(tuple(map(float, parts)) if len(parts) > 1 else parts[0] for parts in results)
 
 
@@ -42,6 +43,8 @@ def _value(kind: Any, raw: Any) -> Any:
         return ivec2(*raw)
     if get_origin(kind) is Texture:
         return Texture(np.asarray(raw))
+    if kind == Array[int]:
+        return Array(np.asarray(raw, np.int32))
     return uniform_value(kind, raw if kind in (bool, int) else np.asarray(raw, np.float32))
 
 

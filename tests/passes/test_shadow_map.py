@@ -11,6 +11,7 @@ from sss_ref.passes.shadow_map import (
     distance_to_light,
     shadow_lookup_bilinear,
     shadow_lookup_nearest,
+    uv_at_light,
 )
 
 # A light at the origin that looks along -Z with a field of view of 90 degrees: clip = (x, y, -z - 1, -z).
@@ -34,6 +35,10 @@ def look_up(stage, position, triangles=FULL, inset=1.0):
 def test_distance_to_light():
     # (1, 2, 3) - (1, -1, -1) = (0, 3, 4), of length 5.
     assert call(distance_to_light, fragment_position=(1, 2, 3), light_position=(1, -1, -1)) == (5,)
+
+
+def test_uv_at_light():
+    assert call(uv_at_light, fragment_uv=(0.25, 1)) == ((0.25, 1),)
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The vertex stage: worked by hand, and the three ways of running it."""
+"""The vertex stages: worked by hand, and the three ways of running it."""
 
 import numpy as np
 import pytest
@@ -7,7 +7,7 @@ from passes import naive_stages
 from passes.one_stage import assert_same_bits, call
 from sss_ref.interpret import arrays, kernel
 from sss_ref.language.pipeline import MeshDraw, Pass
-from sss_ref.passes.vertex import mesh_vertex
+from sss_ref.passes.vertex import layout_vertex, mesh_vertex
 
 VARYINGS = {"fragment_position": 0, "fragment_normal": 3, "fragment_uv": 6}
 
@@ -31,6 +31,22 @@ def test_mesh_vertex():
     assert uv == (0.25, 0.75)
 
 
+@pytest.mark.parametrize(
+    ("uv", "flat"),
+    [((0, 0), (-1, -1)), ((1, 1), (1, 1)), ((0.5, 0.75), (0, 0.5)), ((2**-24, 1.25), (-1 + 2**-23, 1.5))],
+)
+def test_layout_vertex(uv, flat):
+    # The same matrices as above, but the position is where the UV lies, in front of no camera.
+    assert call(
+        layout_vertex,
+        position=(1, 2, 3),
+        normal=(0, 0, 1),
+        uv=uv,
+        world_from_model=[[2, 0, 0, 10], [0, 2, 0, 20], [0, 0, 2, 30], [0, 0, 0, 1]],
+        normal_from_model=[[1, 2, 3], [4, 5, 6], [7, 8, 9]],
+    ) == ((*flat, 0, 1), (12, 24, 36), (3, 6, 9), uv)
+
+
 def random_mesh(seed):
     rng = np.random.default_rng(seed)
     counts = {"position": 3, "normal": 3, "uv": 2}
@@ -42,14 +58,16 @@ def random_mesh(seed):
     return mesh, matrices
 
 
+@pytest.mark.parametrize("stage", [mesh_vertex, layout_vertex])
 @pytest.mark.parametrize("interpreter", [arrays, kernel])
-def test_both_interpreters_give_the_bits_of_the_naive_form(interpreter):
+def test_both_interpreters_give_the_bits_of_the_naive_form(interpreter, stage):
     mesh, matrices = random_mesh(seed=3)
-    one = Pass("vertices", "", MeshDraw(mesh_vertex, "triangle", "depth"), ())
+    matrices = {name: matrix for name, matrix in matrices.items() if name in stage.parameters}
+    one = Pass("vertices", "", MeshDraw(stage, "triangle", "depth"), ())
     clip_position, attributes = interpreter.run_vertices(one, mesh, matrices, VARYINGS, 8)
     clip_expected, attributes_expected = [], []
     for position, normal, uv in zip(*map(list, mesh.values()), strict=True):
-        clip, *varyings = naive_stages.mesh_vertex(position, normal, uv, **matrices)
+        clip, *varyings = getattr(naive_stages, stage.name)(position, normal, uv, **matrices)
         clip_expected.append(clip)
         attributes_expected.append(np.concatenate(varyings))
     assert_same_bits({"clip": clip_position}, {"clip": np.array(clip_expected)})

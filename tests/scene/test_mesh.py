@@ -11,7 +11,7 @@ from sss_ref.scene import load_mesh, mesh
 CUBE = "".join(f"v {x} {y} {z}\n" for x in (0, 1) for y in (0, 1) for z in (0, 1))
 QUADS = [(1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)]
 for number, quad in enumerate(QUADS):
-    CUBE += "".join(f"vt {number}.{x} .{y}\n" for x, y in ((0, 0), (5, 0), (5, 5), (0, 5)))
+    CUBE += "".join(f"vt .{number}{x} .{y}\n" for x, y in ((0, 0), (5, 0), (5, 5), (0, 5)))
     CUBE += "f " + " ".join(f"{v}/{4 * number + t}" for t, v in enumerate(quad, 1)) + "\n"
 
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
@@ -138,7 +138,7 @@ def test_hashes_tell_arrays_apart(tmp_path):
     cube = load_mesh(written(tmp_path, "cube.obj", CUBE))
     again = load_mesh(written(tmp_path, "other.obj", CUBE))
     moved = load_mesh(written(tmp_path, "moved.obj", CUBE.replace("v 1 1 1", "v 1 1 2")))
-    assert list(cube.hashes()) == ["positions", "normals", "uvs", "triangles"]
+    assert list(cube.hashes()) == ["positions", "normals", "uvs", "triangles", "material"]
     assert cube.hashes() == again.hashes()
     assert cube.hashes()["positions"] != moved.hashes()["positions"]
     assert cube.hashes()["triangles"] == moved.hashes()["triangles"]

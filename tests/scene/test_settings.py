@@ -14,6 +14,7 @@ COMMON = {
         "rotate_degrees": (0.0, 0.0, 0.0),
         "translate": (0.0, 0.0, 0.0),
         "color": (0.7, 0.4, 0.4),
+        "texture": None,
     },
     "camera": {
         "type": "orbit",

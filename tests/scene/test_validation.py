@@ -28,7 +28,12 @@ WRONG = [
         "none.obj",
         'expected a mesh file or a shipped mesh\'s name, got "none.obj"; check the path (shipped: tetrahedron)',
     ),
-    ("mesh.texture", "a.png", "expected a known key, got this one; textures are not supported yet, use mesh.color"),
+    (
+        "mesh.texture",
+        "a.png",
+        'expected a PNG or JPEG file, got "a.png"; check the path, which starts at the scene file',
+    ),
+    ("mesh.color", "red", 'expected "material", got "red"; choose one of these'),
     ("mesh.colour", 1, "expected a known key, got this one; did you mean color?"),
     ("mesh.scale", 0, f"expected factors that are not zero, got 0; {ANOTHER}"),
     ("mesh.translate", 1, "expected an array, got 1; put the values in brackets, separated by commas"),
@@ -39,7 +44,7 @@ WRONG = [
     ("camera.width", 1.0, "expected a whole number, got 1.0; write it without quotes or decimal point, such as 1024"),
     ("camera.width", 16385, f"expected a whole number from 1 to 16384, got 16385; {ANOTHER}"),
     ("camera.far", 0.1, "expected a distance beyond near = 0.1, got 0.1; make it larger or near smaller"),
-    ("lights", [], "expected one light, got []; several lights are not supported yet"),
+    ("lights", [], "expected 1 to 16 lights, got []; add or remove [[lights]]"),
     (
         "lights.0.target",
         [0, 0, 9],
@@ -123,11 +128,16 @@ def test_all_problems_of_a_file_at_once(tmp_path):
     ]
 
 
+def test_too_many_lights(small):
+    small["lights"] *= 17
+    (line,) = problems(small)
+    assert line.startswith("scene: lights: expected 1 to 16 lights, got ")
+    assert line.endswith("; add or remove [[lights]]")
+
+
 def test_two_lights(small):
     small["lights"] *= 2
-    (line,) = problems(small)
-    assert line.startswith("scene: lights: expected one light, got ")
-    assert line.endswith("; several lights are not supported yet")
+    assert len(load_scene(small).lights) == 2
 
 
 def test_unknown_camera_type(small):

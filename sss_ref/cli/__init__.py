@@ -1,0 +1,37 @@
+"""The command line: `sss-ref render`, `verify`, `diff`, `info`, `scenes` and `warmup`. Nothing is computed here."""
+
+from cyclopts import App, CycloptsError
+from rich.markup import escape
+
+from sss_ref.cli.comparing import diff, verify
+from sss_ref.cli.console import BAD_INPUT, err
+from sss_ref.cli.listing import info, scenes
+from sss_ref.cli.rendering import render, warmup
+from sss_ref.errors import SssRefError
+
+PURPOSE = "The CPU reference for real-time subsurface scattering."
+
+
+def _version() -> str:
+    from sss_ref.io.manifest import package_version
+
+    return package_version()
+
+
+app = App(name="sss-ref", help=PURPOSE, version=_version, result_action="return_value")
+for command in (render, verify, diff, info, scenes, warmup):
+    app.command(command)
+
+
+def main(tokens: list[str] | None = None) -> int:
+    """Run the command line; returns the exit code.
+
+    0, or 1 where `verify` or `diff` finds a difference, or 2 for bad input.
+    """
+    try:
+        return app(tokens, exit_on_error=False, error_console=err) or 0
+    except SssRefError as error:
+        err.print(f"[red]error:[/] {escape(str(error))}")
+        return BAD_INPUT
+    except CycloptsError:
+        return BAD_INPUT  # cyclopts has printed it

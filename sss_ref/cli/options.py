@@ -1,0 +1,89 @@
+"""What several commands have in common: overrides of the scene, and how its stages are run."""
+
+import tomllib
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal
+
+from cyclopts import Parameter
+
+from sss_ref.errors import SceneError
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class Changes:
+    """What is put on top of the scene file."""
+
+    set: Annotated[tuple[str, ...], Parameter(negative="", consume_multiple=False, show_default=False)] = ()
+    """Override one value, such as `camera.width=512` or `lights.0.intensity=2`; may be given several times."""
+    preset: str | None = None
+    """The preset that fills what the scene leaves out."""
+    method: str | None = None
+    """Where light is diffused: screen_space or texture_space."""
+    size: str | None = None
+    """Size of the image, such as 512x512."""
+
+    def overrides(self) -> dict[str, Any]:
+        """The overrides that `load_scene` takes, by dotted key."""
+        chosen = {key: value for key in ("preset", "method") if (value := getattr(self, key)) is not None}
+        return {**chosen, **_size(self.size), **dict(map(_assignment, self.set))}
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class Execution:
+    """How the stages are run; the bits are the same."""
+
+    interpreter: Literal["kernel", "arrays"] = "kernel"
+    """Compiled kernels, or plain NumPy."""
+    threads: Annotated[int | None, Parameter(show_default=False)] = None
+    """How many share the work; one per processor if not given."""
+
+    def __post_init__(self) -> None:
+        if self.threads is not None and self.threads < 1:
+            raise SceneError(f"--threads: expected at least 1, got {self.threads}; leave it out for one per processor")
+
+
+@Parameter(name="*")
+@dataclass(frozen=True)
+class Wanted:
+    """Which buffers come out."""
+
+    keep: Annotated[Literal["all", "final"] | None, Parameter(show_default=False)] = None
+    """Write all buffers, which is the default, or the final image alone."""
+    until: str | None = None
+    """Stop after a pass, a stage or a buffer."""
+    samples: int = 1
+    """Average N x N renderings, each moved by a part of a pixel; writes the image alone."""
+
+    def __post_init__(self) -> None:
+        if self.until and self.keep == "final":
+            raise SceneError("--until: expected without --keep final, got both; the final image needs every stage")
+        if self.samples != 1 and (self.until or self.keep == "all"):
+            raise SceneError(
+                "--samples: expected without --until and --keep all, got both; only the final image is averaged"
+            )
+
+
+NO_CHANGES, KERNELS, EVERYTHING = Changes(), Execution(), Wanted()
+
+
+def _size(text: str | None) -> dict[str, int]:
+    """The camera's overrides for WIDTHxHEIGHT."""
+    if text is None:
+        return {}
+    width, cross, height = text.lower().partition("x")
+    if not (cross and width.isdecimal() and height.isdecimal()):
+        raise SceneError(f"--size: expected WIDTHxHEIGHT, got {text!r}; write it as 512x512")
+    return {"camera.width": int(width), "camera.height": int(height)}
+
+
+def _assignment(text: str) -> tuple[str, Any]:
+    """The key and value of `key.path=value`; a value that is not TOML is taken as text."""
+    key, equals, value = text.partition("=")
+    if not (equals and key):
+        raise SceneError(f"--set: expected key.path=value, got {text!r}; write it as camera.width=512")
+    try:
+        return key, tomllib.loads(f"value = {value}")["value"]
+    except tomllib.TOMLDecodeError:
+        return key, value

@@ -1,0 +1,48 @@
+"""The colour of a scene's surface: one for all, one per material of the mesh file, or a texture."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sss_ref.errors import SceneError
+from sss_ref.scene.mesh import Mesh
+from sss_ref.scene.settings import MeshSettings
+from sss_ref.scene.textures import load_texture
+
+
+def albedo_of(settings: MeshSettings, mesh: Mesh, folder: Path) -> dict[str, NDArray[Any]]:
+    """The uniforms of the stage that computes the albedo, by name.
+
+    mesh_color: float32 (3,). albedo_map: float32 (H, W, 3), row 0 at the bottom. material_color: float32 (M, 3), with
+    triangle_material: int32 (T,). All linear RGB. Raises SceneError where the mesh or the picture does not allow it.
+    """
+    if settings.albedo == "texture":
+        if mesh.uvs is None:
+            raise SceneError(
+                f"expected a mesh with UVs, got {mesh.name} without; remove the texture or unwrap the mesh"
+            )
+        return {"albedo_map": load_texture(folder / str(settings.texture))}
+    if settings.albedo == "material":
+        return {"material_color": _material_colors(mesh), "triangle_material": mesh.material}
+    return {"mesh_color": np.array(settings.color, np.float32)}
+
+
+def albedo_warnings(settings: MeshSettings, mesh: Mesh) -> list[str]:
+    """What a user who asks for the file's colours may miss in the picture."""
+    named = [material.name for material in mesh.materials if material.textured]
+    if settings.albedo != "material" or not named:
+        return []
+    return [f"mesh: textures inside the file are not read (of {', '.join(named)}); give one as mesh.texture"]
+
+
+def _material_colors(mesh: Mesh) -> NDArray[np.float32]:
+    missing = [number for number, material in enumerate(mesh.materials) if material.color is None]
+    if missing:
+        bare = int(np.isin(mesh.material, missing).sum())
+        raise SceneError(
+            f"expected a material with a colour for every triangle, got {bare} of {len(mesh.material)} without; "
+            "give mesh.color as RGB, or put the material file beside the mesh"
+        )
+    return np.array([material.color for material in mesh.materials], np.float32)
