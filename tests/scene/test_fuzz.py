@@ -6,6 +6,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+from copy import deepcopy
 from pathlib import Path
 
 import pytest
@@ -176,7 +177,7 @@ def damaged_documents(draw):
         while isinstance(place[key], dict | list) and place[key] and draw(st.integers(0, 5)):
             place = place[key]
             key = draw(st.sampled_from(sorted(place) if isinstance(place, dict) else range(len(place))))
-        place[key] = draw(JSON_VALUES)
+        place[key] = deepcopy(draw(JSON_VALUES))  # a list drawn twice is one object: it must not end up in itself
     return json.dumps(document).encode()
 
 
