@@ -1,6 +1,6 @@
 """Stages as plain NumPy: every component an array with one element per fragment. The oracle's own oracle."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from concurrent.futures import Executor
 from typing import Any
 
@@ -8,6 +8,7 @@ import numpy as np
 
 from sss_ref.interpret.work import CHANNELS, Work, buffer_value, store, uniform_value
 from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL, MeshDraw, Pass
+from sss_ref.language.stage import Stage
 from sss_ref.language.types import components, ivec2
 from sss_ref.raster.interpolate import interpolate_arrays
 
@@ -53,14 +54,22 @@ def run_fragments(work: Work, pool: Executor | None) -> None:
 def stage_values(work: Work, rows: np.ndarray, columns: np.ndarray) -> dict[str, Any]:
     """All values that the stages of a pass compute at the pixels (rows, columns), with what the draw gives them."""
     values = draw_values(work, rows, columns)
-    with np.errstate(all="ignore"):
-        for stage in work.one.stages:
-            inputs = [
-                stage_input(work, values, stage.reads[own], kind, (rows, columns))
-                for own, kind in stage.parameters.items()
-            ]
-            values |= zip(stage.writes.values(), stage(*inputs), strict=True)
+    for _ in run_stages(work, rows, columns, values):
+        pass
     return values
+
+
+def run_stages(
+    work: Work, rows: np.ndarray, columns: np.ndarray, values: dict[str, Any]
+) -> Iterator[tuple[Stage, list[Any], dict[str, Any]]]:
+    """Run the stages one by one, adding to `values`; after each, the stage, its inputs in order, and what it gave."""
+    for stage in work.one.stages:
+        kinds = stage.parameters.items()
+        inputs = [stage_input(work, values, stage.reads[own], kind, (rows, columns)) for own, kind in kinds]
+        with np.errstate(all="ignore"):
+            results = dict(zip(stage.writes.values(), stage(*inputs), strict=True))
+        values |= results
+        yield stage, inputs, results
 
 
 def stage_input(work: Work, values: Mapping[str, Any], name: str, kind: Any, at: tuple[np.ndarray, np.ndarray]) -> Any:

@@ -7,7 +7,7 @@ import numpy as np
 
 from sss_ref.compiled import compiled
 from sss_ref.errors import RenderError
-from sss_ref.interpret.arrays import draw_values, stage_input
+from sss_ref.interpret.arrays import draw_values, run_stages
 from sss_ref.interpret.work import FLOAT32, Work
 from sss_ref.language.types import Array, Texture, components
 
@@ -43,16 +43,11 @@ def largest_magnitude(bits):
 def _message(work: Work, name: str, row: int, column: int) -> str:
     """Run the stages again on the one pixel, up to the first value that is not finite."""
     at = np.array([row]), np.array([column])
-    values = draw_values(work, *at)
-    with np.errstate(all="ignore"):
-        for stage in work.one.stages:
-            kinds = {stage.reads[own]: kind for own, kind in stage.parameters.items()}
-            inputs = {read: stage_input(work, values, read, kind, at) for read, kind in kinds.items()}
-            results = dict(zip(stage.writes.values(), stage(*inputs.values()), strict=True))
-            if not all(np.isfinite(part).all() for value in results.values() for part in components(value)):
-                listed = ", ".join(f"{read} = {_shown(value)}" for read, value in inputs.items() if _shown(value))
-                return f"stage {stage.name}, pixel {column},{row}: result is not finite; inputs: {listed}"
-            values |= results
+    for stage, inputs, results in run_stages(work, *at, draw_values(work, *at)):
+        if not all(np.isfinite(part).all() for value in results.values() for part in components(value)):
+            named = zip(stage.reads.values(), inputs, strict=True)
+            listed = ", ".join(f"{read} = {_shown(value)}" for read, value in named if _shown(value))
+            return f"stage {stage.name}, pixel {column},{row}: result is not finite; inputs: {listed}"
     return f"pass {work.one.name}, pixel {column},{row}: buffer {name} is not finite"
 
 

@@ -14,7 +14,7 @@ from typing import Any, TypeVar, cast, get_type_hints
 import numpy as np
 
 from sss_ref.language.types import Texture, Vector, ivec2, vec2, vec3, vec4
-from sss_ref.language.typing_rules import bind, resolve
+from sss_ref.language.typing_rules import call_type
 from sss_ref.numerics import elementary
 
 genType = TypeVar("genType", float, vec2, vec3, vec4)
@@ -46,10 +46,7 @@ class Primitive:
 
     def result_type(self, types: list[Any]) -> Any:
         """What a call with these argument types gives, or None where they do not fit the signature."""
-        *parameters, result = self._hints.values()
-        bound: dict[Any, Any] = {}
-        fits = len(parameters) == len(types) and all(map(lambda p, t: bind(p, t, bound), parameters, types))
-        return resolve(result, bound) if fits else None
+        return call_type(self._hints, types)
 
 
 def _typed(argument: Any) -> Any:

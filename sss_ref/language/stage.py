@@ -13,7 +13,7 @@ from typing import Any, TypeVar, cast, get_type_hints
 from sss_ref.errors import StageError
 from sss_ref.language import tree
 from sss_ref.language.front_end import body_of
-from sss_ref.language.typing_rules import bind, is_type, resolve, type_name
+from sss_ref.language.typing_rules import call_type, is_type, type_name
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -41,10 +41,7 @@ class Function:
 
     def result_type(self, types: list[Any]) -> Any:
         """What a call with these argument types gives, or None where they do not fit the signature."""
-        parameters = [kind for name, kind in self._hints.items() if name != "return"]
-        bound: dict[Any, Any] = {}
-        fits = len(parameters) == len(types) and all(map(lambda p, t: bind(p, t, bound), parameters, types))
-        return resolve(self._hints["return"], bound) if fits else None
+        return call_type(self._hints, types)
 
     def body(self, types: tuple[Any, ...]) -> tree.Body:
         """The tree for these argument types, which must fit."""

@@ -73,6 +73,10 @@ def bind(parameter: Any, argument: Any, bound: dict[Any, Any]) -> bool:
     return parameter is argument
 
 
-def resolve(kind: Any, bound: dict[Any, Any]) -> Any:
-    """A type with its type variables replaced by what they were bound to."""
-    return bound[kind] if isinstance(kind, TypeVar) else kind
+def call_type(hints: dict[str, Any], types: list[Any]) -> Any:
+    """What a call with these argument types gives under a signature, or None where they do not fit it."""
+    parameters = [kind for name, kind in hints.items() if name != "return"]
+    bound: dict[Any, Any] = {}
+    fits = len(parameters) == len(types) and all(map(lambda p, t: bind(p, t, bound), parameters, types))
+    result = hints["return"]
+    return (bound[result] if isinstance(result, TypeVar) else result) if fits else None

@@ -37,7 +37,8 @@ BUFFERS = (
     "scattered_irradiance",
     "irradiance_uv",
 )
-PARTIAL = "partial_"  # what is summed and is no buffer by itself
+SUMMED = ("lit", "irradiance_used", "gloss")  # of which a light's part is no buffer by itself
+PARTIAL = "partial_"  # how the names of such parts begin
 
 
 class Lights:
@@ -48,19 +49,19 @@ class Lights:
         count = len(self.falloffs)
         self.suffixes = [""] if count == 1 else [f"_{number}" for number in range(1, count + 1)]
 
-    def numbered(self, suffix: str, also: tuple[str, ...] = ()) -> Callable[[str], str]:
-        """The renaming of what belongs to one light; `also`: further names, which a sum takes up."""
+    def numbered(self, suffix: str) -> Callable[[str], str]:
+        """The renaming of what belongs to one light."""
 
         def rename(name: str) -> str:
-            if suffix and name in also:
+            if suffix and name in SUMMED:
                 return f"{PARTIAL}{name}{suffix}"
             return name + suffix if name in (*UNIFORMS, *BUFFERS) else name
 
         return rename
 
-    def each(self, stage: Stage, also: tuple[str, ...] = ()) -> tuple[Stage, ...]:
+    def each(self, stage: Stage) -> tuple[Stage, ...]:
         """A stage once for every light."""
-        return tuple(stage.renamed(self.numbered(suffix, also)) for suffix in self.suffixes)
+        return tuple(stage.renamed(self.numbered(suffix)) for suffix in self.suffixes)
 
     def draw(self, draw: MeshDraw, suffix: str) -> MeshDraw:
         """A draw from the view of one light."""
@@ -72,10 +73,9 @@ class Lights:
     def summed(self, name: str) -> tuple[Stage, ...]:
         """Stages that add the parts of a buffer in the order of the lights, starting with the first; none for one."""
         stages: list[Stage] = []
-        before = self.numbered(self.suffixes[0], (name,))(name) if name not in BUFFERS else name + self.suffixes[0]
+        before = self.numbered(self.suffixes[0])(name)
         for suffix in self.suffixes[1:]:
-            part = name + suffix if name in BUFFERS else f"{PARTIAL}{name}{suffix}"
             total = name if suffix == self.suffixes[-1] else f"{PARTIAL}sum_{name}{suffix}"
-            stages.append(plus.bound(first=before, second=part, total=total))
+            stages.append(plus.bound(first=before, second=self.numbered(suffix)(name), total=total))
             before = total
         return tuple(stages)

@@ -20,7 +20,7 @@ def screen_space(settings: SceneFile) -> Method:
     lights = Lights(settings)
     masked = settings.blur.mask != "none"
     stencil = ScreenDraw("coverage" if masked else "")
-    lit = (*lights.each(COMBINE[settings.translucency.combine], also=("lit",)), *lights.summed("lit"))
+    lit = (*lights.each(COMBINE[settings.translucency.combine]), *lights.summed("lit"))
     camera = (*behind_the_surface(settings, lights), *lit)
     return Method(
         "screen_space",

@@ -26,7 +26,7 @@ def texture_space(settings: SceneFile) -> Method:
     lights = Lights(settings)
     used = (
         *lights.each(texture_image.irradiance_lookup),
-        *lights.each(USED[settings.irradiance_map.image], also=("irradiance_used",)),
+        *lights.each(USED[settings.irradiance_map.image]),
         *lights.summed("irradiance_used"),
     )
     camera = (*behind_the_surface(settings, lights), *used, *image(settings, lights))
@@ -83,5 +83,5 @@ def image(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
     """The picture from irradiance and Phong colour, or from irradiance, albedo and highlights."""
     if settings.irradiance_map.image == "sqrt":
         return (texture_image.image_sqrt,)
-    gloss = (*lights.each(texture_image.gloss_where_lit, also=("gloss",)), *lights.summed("gloss"))
+    gloss = (*lights.each(texture_image.gloss_where_lit), *lights.summed("gloss"))
     return (*gloss, texture_image.image_product)
