@@ -141,7 +141,8 @@ class _Rendering:
             stencil = self.buffers[one.draw.stencil] if one.draw.stencil else None
             return Fragments(width, height, stencil=stencil), {}
         varyings, columns = varying_columns(one)
-        clip_position, attributes = self.interpreter.run_vertices(one, self.mesh, self.uniforms, varyings, columns)
+        given = self.uniforms | self.buffers
+        clip_position, attributes = self.interpreter.run_vertices(one, self.mesh, given, varyings, columns)
         viewport = Viewport(width, height)
         primitives = assemble(clip_position, attributes, self.scene.mesh.triangles, viewport)
         piece, depth = visibility(primitives, viewport, self.pool)

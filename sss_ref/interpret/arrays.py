@@ -20,7 +20,8 @@ def run_vertices(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Run the vertex stage of a pass: clip positions float32 (V, 4) and the wanted varyings, float32 (V, columns).
 
-    mesh: vertex attribute -> float32 (V, C). varyings: name -> first column.
+    mesh: vertex attribute -> float32 (V, C). uniforms: with the textures that the stage reads, as in `Work`.
+    varyings: name -> first column.
     """
     assert isinstance(one.draw, MeshDraw)
     stage, inputs = one.draw.vertex, []

@@ -31,14 +31,16 @@ def run_vertices(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Run the vertex stage of a pass: clip positions float32 (V, 4) and the wanted varyings, float32 (V, columns).
 
-    mesh: vertex attribute -> float32 (V, C). varyings: name -> first column.
+    mesh: vertex attribute -> float32 (V, C). uniforms: with the textures that the stage reads, as in `Work`.
+    varyings: name -> first column.
     """
     assert isinstance(one.draw, MeshDraw)
     count = len(mesh["position"])
     clip_position = np.empty((count, 4), FLOAT32)
     attributes = np.empty((count, columns), FLOAT32)
     reads = vertex_reads(one.draw)
-    given = [_pack(reads, MESH_ATTRIBUTES, uniforms), *(mesh[name] for name in loose(reads, MESH_ATTRIBUTES))]
+    loosely = [(mesh if name in MESH_ATTRIBUTES else uniforms)[name] for name in loose(reads, MESH_ATTRIBUTES)]
+    given = [_pack(reads, MESH_ATTRIBUTES, uniforms), *loosely]
     _imported(vertex_source(one, varyings), f"{one.name}_vertices").vertices(*given, clip_position, attributes)
     return clip_position, attributes
 

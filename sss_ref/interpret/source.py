@@ -69,7 +69,7 @@ def loose(reads: Mapping[str, Any], buffers: Iterable[str]) -> list[str]:
 
 
 def vertex_reads(draw: MeshDraw) -> dict[str, Any]:
-    """Name -> type of what `vertices` reads: attributes of the mesh, and uniforms."""
+    """Name -> type of what `vertices` reads: attributes of the mesh, uniforms and textures."""
     return {draw.vertex.reads[own]: kind for own, kind in draw.vertex.parameters.items()}
 
 
@@ -90,11 +90,13 @@ def unpacked(reads: Mapping[str, Any], buffers: Iterable[str], lines: Lines) -> 
 
 
 def vertex_function(draw: MeshDraw, varyings: Mapping[str, int], lines: Lines) -> str:
-    """`vertices(uniforms, mesh attributes, clip_position, attributes)`: run the vertex stage, fill the last two."""
+    """`vertices(uniforms, mesh attributes and textures, clip_position, attributes)`: fill the last two."""
     reads = vertex_reads(draw)
+    given = loose(reads, MESH_ATTRIBUTES)
+    for name in given:
+        lines.fresh(name)
     values = unpacked(reads, MESH_ATTRIBUTES, lines)
-    mesh = loose(reads, MESH_ATTRIBUTES)
-    for name in mesh:
+    for name in (name for name in given if name in MESH_ATTRIBUTES):
         ends = enumerate(suffixes(reads[name]))
         values[name] = [lines.bind(name + end, Scalar(f"{name}[vertex, {k}]", False, False)) for k, end in ends]
     names = {own: values[name] for own, name in draw.vertex.reads.items()}
@@ -104,7 +106,7 @@ def vertex_function(draw: MeshDraw, varyings: Mapping[str, int], lines: Lines) -
     for own, scalars in results.items():
         for k, value in enumerate(scalars if draw.vertex.writes[own] in varyings else []):
             lines.add(f"attributes[vertex, {varyings[draw.vertex.writes[own]] + k}] = {value.text}")
-    head = f"@compiled\ndef vertices(uniforms, {', '.join(mesh)}, clip_position, attributes):\n"
+    head = f"@compiled\ndef vertices(uniforms, {', '.join(given)}, clip_position, attributes):\n"
     body = [INDENT + line for line in lines.before]
     body += [f"{INDENT}for vertex in range(len(clip_position)):", *lines.inside]
     return head + "\n".join(body) + "\n"

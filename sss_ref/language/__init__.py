@@ -21,6 +21,7 @@ from sss_ref.language.sampling import (
     bilinear_blend,
     nearest_texel,
     sample_bilinear,
+    sample_bilinear_clamped,
     sample_bilinear_repeat,
     texel_clamped,
     texel_position,

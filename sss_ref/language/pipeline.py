@@ -33,6 +33,12 @@ class MeshDraw:
         return {self.vertex.writes[own]: kind for own, kind in self.vertex.outputs.items() if own != CLIP_POSITION}
 
     @property
+    def reads(self) -> dict[str, Any]:
+        """Name -> type of what the vertex stage reads beside its vertex: uniforms, and buffers of earlier passes."""
+        read = {self.vertex.reads[own]: kind for own, kind in self.vertex.parameters.items()}
+        return {name: kind for name, kind in read.items() if name not in MESH_ATTRIBUTES}
+
+    @property
     def outputs(self) -> dict[str, Any]:
         """Buffer -> type of what the rasterizer writes."""
         named = {self.triangle: int, self.depth: float, self.coverage: bool}
@@ -49,6 +55,11 @@ class ScreenDraw:
     def varyings(self) -> dict[str, Any]:
         """A rectangle interpolates nothing."""
         return {}
+
+    @property
+    def reads(self) -> dict[str, Any]:
+        """The stencil, if there is one."""
+        return {self.stencil: bool} if self.stencil else {}
 
     @property
     def outputs(self) -> dict[str, Any]:
@@ -105,9 +116,8 @@ class Pass:
 
     @property
     def needs(self) -> set[str]:
-        """What must be there before the pass runs: what the stages read, and the stencil."""
-        stencil = self.draw.stencil if isinstance(self.draw, ScreenDraw) else ""
-        return set(self.reads) | ({stencil} if stencil else set())
+        """What must be there before the pass runs: what the draw and the stages read."""
+        return {*self.reads, *self.draw.reads}
 
 
 @dataclass(frozen=True)

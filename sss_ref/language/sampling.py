@@ -58,6 +58,13 @@ def sample_bilinear(texture: Texture[genType], corner: ivec2, t: vec2) -> genTyp
 
 
 @function
+def sample_bilinear_clamped(texture: Texture[genType], uv: vec2) -> genType:
+    """GL_LINEAR with GL_CLAMP_TO_EDGE: uv is brought to 0 ... 1 first."""
+    at = texel_position(size(texture), vec2(clamp(uv.x, 0.0, 1.0), clamp(uv.y, 0.0, 1.0)))
+    return sample_bilinear(texture, whole_part(at), vec2(at.x - floor(at.x), at.y - floor(at.y)))
+
+
+@function
 def repeated(index: int, count: int) -> int:
     """An index from -1 to `count`, brought round to the other end where it is outside."""
     return select(index < 0, index + count, select(index < count, index, index - count))

@@ -1,13 +1,16 @@
 """The methods by name."""
 
 from sss_ref.language.pipeline import Method
+from sss_ref.methods import published
 from sss_ref.methods.screen_space import screen_space
 from sss_ref.methods.texture_space import texture_space
 from sss_ref.scene.settings import SceneFile
 
 METHODS = {"screen_space": screen_space, "texture_space": texture_space}
+PUBLISHED = {"screen_space": published.screen_space, "texture_space": published.texture_space}
 
 
 def method_of(settings: SceneFile) -> Method:
-    """The method that a scene asks for."""
-    return METHODS[settings.method](settings)
+    """The method that a scene asks for, as the text has it or as the printed figures have it."""
+    methods = PUBLISHED if settings.preset == "published" else METHODS
+    return methods[settings.method](settings)

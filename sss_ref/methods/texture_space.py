@@ -43,18 +43,13 @@ def texture_space(settings: SceneFile) -> Method:
 
 def irradiance_stages(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
     """The irradiance of every light at a texel's point of the surface."""
-    stages = (
-        surface,
-        *light_at_the_surface(settings, lights),
-        *lights.each(MODE[settings.irradiance_map.mode]),
-    )
-    return tuple(stage.renamed(lambda name: in_texel(name, stages)) for stage in stages)
+    return in_texels(surface, *light_at_the_surface(settings, lights), *lights.each(MODE[settings.irradiance_map.mode]))
 
 
-def in_texel(name: str, stages: tuple[Stage, ...]) -> str:
-    """The name of a value on the way to the irradiance, which a texel does not share with the camera's pixel."""
-    written = {each for stage in stages for each in stage.writes.values()}
-    return TEXEL + name if name in written and not name.startswith("irradiance") else name
+def in_texels(*stages: Stage) -> tuple[Stage, ...]:
+    """Stages whose values on the way to the irradiance have names of their own, apart from those of the camera."""
+    written = {name for stage in stages for name in stage.writes.values() if not name.startswith("irradiance")}
+    return tuple(stage.renamed(lambda name: TEXEL + name if name in written else name) for stage in stages)
 
 
 def scattered(settings: SceneFile, lights: Lights, suffix: str) -> tuple[Pass, Pass]:

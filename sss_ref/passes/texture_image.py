@@ -4,23 +4,18 @@ from typing import NamedTuple
 
 from sss_ref.language import (
     Texture,
-    clamp,
     dot,
-    floor,
-    function,
     max,
     nearest_texel,
     normalize,
-    sample_bilinear,
+    sample_bilinear_clamped,
     select,
     size,
     sqrt,
     stage,
     texel,
-    texel_position,
     vec2,
     vec3,
-    whole_part,
 )
 from sss_ref.passes.composite import Image
 from sss_ref.passes.phong import highlight
@@ -41,14 +36,6 @@ def irradiance_lookup(
     return IrradianceUv(select(directly_lit, uv, select(shadow_valid, entered, uv)))
 
 
-@function
-def irradiance_at(scattered_irradiance: Texture[vec3], uv: vec2) -> vec3:
-    """The blurred irradiance at a UV, bilinear; beyond the map that of its edge."""
-    on_map = vec2(clamp(uv.x, 0.0, 1.0), clamp(uv.y, 0.0, 1.0))
-    at = texel_position(size(scattered_irradiance), on_map)
-    return sample_bilinear(scattered_irradiance, whole_part(at), vec2(at.x - floor(at.x), at.y - floor(at.y)))
-
-
 class IrradianceUsed(NamedTuple):
     """The light that a fragment gets from the irradiance map."""
 
@@ -60,8 +47,8 @@ def irradiance_replaced(
     uv: vec2, irradiance_uv: vec2, directly_lit: bool, translucency: float, scattered_irradiance: Texture[vec3]
 ) -> IrradianceUsed:
     """The irradiance at the fragment where it is lit, else that of the entry point times T."""
-    own = irradiance_at(scattered_irradiance, uv)
-    through = irradiance_at(scattered_irradiance, irradiance_uv) * translucency
+    own = sample_bilinear_clamped(scattered_irradiance, uv)
+    through = sample_bilinear_clamped(scattered_irradiance, irradiance_uv) * translucency
     return IrradianceUsed(select(directly_lit, own, through))
 
 
@@ -79,8 +66,8 @@ def irradiance_added(
     """The irradiance at the fragment, plus that of the entry point times (T*scale)*max(-N.L, 0)."""
     to_light = normalize(light_position - position_world)
     from_behind = (translucency * translucency_scale) * max(-dot(normal_world, to_light), 0.0)
-    own = irradiance_at(scattered_irradiance, uv)
-    return IrradianceUsed(own + irradiance_at(scattered_irradiance, irradiance_uv) * from_behind)
+    own = sample_bilinear_clamped(scattered_irradiance, uv)
+    return IrradianceUsed(own + sample_bilinear_clamped(scattered_irradiance, irradiance_uv) * from_behind)
 
 
 @stage(source="paper 2.2: sqrt(i * c)")

@@ -10,10 +10,16 @@ DEFAULT_PRESET = "paper"
 
 
 def filled(data: Mapping[str, Any]) -> dict[str, Any]:
-    """`data` on top of the preset it names; a preset nobody knows is left for validation to report."""
+    """`data` on top of the preset it names; a preset nobody knows is left for validation to report.
+
+    What a preset has of lights lies below every light.
+    """
     name = data.get("preset", DEFAULT_PRESET)
     preset = PRESETS.get(name if isinstance(name, str) else DEFAULT_PRESET, PRESETS[DEFAULT_PRESET])
-    return laid(preset, data)
+    lights = data.get("lights")
+    if isinstance(lights, list | tuple):
+        data = {**data, "lights": [laid(preset.get("lights", {}), light) for light in lights]}
+    return {key: value for key, value in laid(preset, data).items() if key in data or key != "lights"}
 
 
 def laid(lower: Any, upper: Any) -> Any:

@@ -31,6 +31,7 @@ def _three_times(value: Any) -> Any:
 Number = Annotated[float, requiring(lambda x: abs(x) < FLOAT32_OVERFLOW, "a number that fits float32")]
 NonNegative = Annotated[Number, requiring(lambda x: x >= 0, "a number >= 0")]
 Positive = Annotated[Number, requiring(lambda x: np.float32(x) > 0, "a number > 0 (in float32)")]
+PositiveOrZero = Annotated[Number, requiring(lambda x: x == 0 or np.float32(x) > 0, "a number >= 0")]
 Inset = Annotated[Positive, requiring(lambda x: x <= 1, "a number > 0 and <= 1")]
 FieldOfView = Annotated[Number, requiring(lambda x: 0 < x < 180, "an angle between 0 and 180 degrees")]
 Size = Annotated[int, requiring(lambda n: 1 <= n <= LARGEST_SIZE, f"a whole number from 1 to {LARGEST_SIZE}")]

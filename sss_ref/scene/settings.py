@@ -19,6 +19,7 @@ from sss_ref.scene.quantities import (
     NonNegative,
     Number,
     Positive,
+    PositiveOrZero,
     Scale,
     Size,
     Table,
@@ -92,16 +93,16 @@ class ShadowMap(Table):
     """How light_distance is sampled."""
     lookup_inset: Inset = 1.0
     """Factor on the normalised device coordinates before the lookup."""
-    test: Literal["slope", "literal"] = "slope"
-    """Bias of the shadow test: grows with the surface's slope, or bias_abs alone (paper 3.2)."""
+    test: Literal["slope", "literal", "exact"] = "slope"
+    """Bias of the shadow test: grows with the surface's slope, or bias_abs alone (paper 3.2); exact: thickness 0."""
     bias_abs: NonNegative = 0.0
     """Constant part of the bias, scene units."""
     bias_slope: NonNegative = 1.5
     """Factor on the depth that one texel spans."""
-    encoding: Literal["float32"] = "float32"
-    """What a texel can hold."""
-    lookup_stage: Literal["fragment"] = "fragment"
-    """Where the entry point is computed."""
+    encoding: Literal["float32", "unorm8"] = "float32"
+    """What a texel can hold: any number, or 256 steps from 0 to 1; unorm8 is also that of irradiance, lit and image."""
+    lookup_stage: Literal["fragment", "vertex"] = "fragment"
+    """Where the entry point is computed; from vertices it is interpolated."""
 
 
 class Phong(Table):
@@ -133,7 +134,7 @@ class Translucency(Table):
     """Power of the thickness."""
     scale: NonNegative
     """Factor on T where it is added."""
-    d_min: Positive
+    d_min: PositiveOrZero
     """Smallest thickness that T is computed from, scene units."""
 
 
@@ -180,8 +181,9 @@ class IrradianceMap(Table):
     """Rows."""
     mode: Literal["paper", "lambert", "distance"]
     """paper: D * max(N.L, 0); lambert: max(N.L, 0) where the light reaches; distance: D."""
-    image: Literal["sqrt", "product"]
-    """How the image is made of irradiance and reflected light: their geometric mean, or their product."""
+    image: Literal["sqrt", "product", "sqrt_add"]
+    """How the image is made of irradiance and reflected light: their geometric mean, their product, or their geometric
+    mean with T added."""
     overlap: Literal["first", "last", "error"] = "first"
     """Which of two triangles owns a texel that both cover."""
     dilate: Count
@@ -200,8 +202,8 @@ class SceneFile(Table):
 
     method: Literal["screen_space", "texture_space"] = "screen_space"
     """Where the light is diffused: in the image (paper 2.1) or on the surface (paper 2.2)."""
-    preset: Literal["paper", "robust"] = "paper"
-    """What fills the keys that are not given."""
+    preset: Literal["paper", "robust", "published"] = "paper"
+    """What fills the keys that are not given; published also has passes of its own."""
     mm_per_unit: Positive = 1.0
     """Millimetres per scene unit: a note for the reader. T depends on the unit, so it is never converted."""
     mesh: MeshSettings

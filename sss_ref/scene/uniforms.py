@@ -10,7 +10,7 @@ from sss_ref.scene.views import Light
 
 NEUTRAL = {  # what leaves the colour as it is, by method and by how T joins the light
     "screen_space": {"multiply": 1.0, "add": 0.0, "transmit": 0.0},
-    "texture_space": {"sqrt": 1.0, "product": 0.0},
+    "texture_space": {"sqrt": 1.0, "product": 0.0, "sqrt_add": 0.0},
 }
 
 
@@ -68,5 +68,5 @@ def uniforms_of_light(light: Light, scene: Scene) -> dict[str, Any]:
         "light_color": light.color,
         "light_intensity": light.intensity,
         "light_texel_size": light.view.pixel_size,
-        "light_clear_distance": 2 * light.view.far,
+        "light_clear_distance": 2 * light.view.far if scene.settings.shadow_map.encoding == "float32" else 0.0,
     }

@@ -2,7 +2,7 @@
 
 import os
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,6 +12,7 @@ from pydantic import BaseModel, ValidationError
 from sss_ref.errors import SceneError
 from sss_ref.scene import settings, viewpoints
 from sss_ref.scene.layers import filled, is_overridden, overridden, override_paths
+from sss_ref.scene.presets import misfits
 from sss_ref.scene.problems import KeyPath, described, told
 from sss_ref.scene.shipped import scene_names, scene_path
 
@@ -52,12 +53,14 @@ def opened(scene: str | os.PathLike[str] | Mapping[str, Any]) -> Document:
 
 def validated(document: Document, overrides: Mapping[str, Any]) -> settings.SceneFile:
     """The settings with every key filled but those that are fitted to the mesh. Raises SceneError."""
-    data, misplaced = overridden(document.data, overrides)
+    given, misplaced = overridden(document.data, overrides)
+    data, paths = filled(given), override_paths(overrides)
     problems = [f"override: {problem}" for problem in misplaced]
     try:
-        result = settings.SceneFile.model_validate(filled(data), context={"folder": document.folder})
+        result = settings.SceneFile.model_validate(data, context={"folder": document.folder})
     except ValidationError as error:
-        problems += _told_problems(error, document.source, override_paths(overrides))
+        problems += _attributed(_problems_of(error), document.source, paths)
+    problems += _attributed(misfits(data), document.source, paths)
     if problems:
         raise SceneError("\n".join(problems))
     return result
@@ -73,11 +76,13 @@ def _parsed(path: Path, name: str) -> dict[str, Any]:
         raise SceneError(told(name, "valid TOML", str(error), "correct that place")) from None
 
 
-def _told_problems(error: ValidationError, source: str, overrides: set[KeyPath]) -> list[str]:
-    """One line per problem; where an override caused it, that is its source."""
-    lines = []
+def _problems_of(error: ValidationError) -> Iterator[tuple[KeyPath, str]]:
+    """Key path and problem of every error that pydantic found."""
     for details in error.errors():
         table = tuple(part for part in details["loc"][:-1] if isinstance(part, str))
-        path, problem = described(details, TABLES.get(table, settings.SceneFile).model_fields)
-        lines.append(f"{'override' if is_overridden(path, overrides) else source}: {problem}")
-    return lines
+        yield described(details, TABLES.get(table, settings.SceneFile).model_fields)
+
+
+def _attributed(problems: Iterable[tuple[KeyPath, str]], source: str, overrides: set[KeyPath]) -> list[str]:
+    """One line per problem, with its source: the scene, or an override."""
+    return [f"{'override' if is_overridden(path, overrides) else source}: {problem}" for path, problem in problems]

@@ -30,6 +30,7 @@ POSITIONS = [
 ]
 NORMALS = [[0, 0, 0], [-0.0, -0.0, -0.0], [1, 0, 0], [-1, 0, 0], [0, 0, 1], [0, 0, -1], [1e-30, 0, 0]]
 COLORS = [[0, 0, 0], [-0.0, 0, -0.0], [1, 1, 1]]
+HALVES = [[0.5 / 255, 1.5 / 255, 254.5 / 255], [-0.0, 0, 1], [100.5 / 255, 1e30, -1e30]]  # between two bytes, and far
 UVS = [[0, 0], [1, 1], [-0.0, 0.5], [0.5, 1]]
 OUTSIDE = [[-1, -1], [-0.25, 0.5], [1.5, 1.25]]  # no point of the shadow map; UVs that were clipped away
 FAR_UVS = [*UVS, [-1e-30, 1.0000001], [0.99999994, -1], [3, 1e30], [-0.5, 2.05]]  # -1e-30 - floor(-1e-30) rounds to 1
@@ -101,6 +102,9 @@ VARIANTS: dict[str, list[dict[str, Any]]] = {  # stage -> further uniforms to ru
     "translucency_beer": TRANSLUCENCY,
     "lit_transmit": [{"light_count": np.float32(3)}],
     "gloss_where_lit": [{"shininess": np.float32(0.3)}],
+    "translucency_unclamped": [{"x": np.float32(0.3), "y": np.float32(1.5)}, OVERFLOW],
+    "phong_ungated": [{"shininess": np.float32(0.3)}],
+    "irradiance_gathered": [FAR],
     "irradiance_added": [{"translucency_scale": np.float32(0)}],
     "scatter": BLUR,
     "single_tap": [FAR],
@@ -156,6 +160,7 @@ def geometry(picture: Picture) -> dict[str, np.ndarray]:
     return {
         "fragment_position": position,
         "fragment_normal": normal,
+        "fragment_entry_point": np.where(rng.random((*picture.shape, 1)) < 0.3, position, position * np.float32(0.75)),
         "fragment_uv": picture.mixed(rng.random((*picture.shape, 2)), UVS),
         "position_world": position,
         "normal_world": (normal / np.maximum(length, 1e-30)).astype(np.float32),
@@ -178,6 +183,8 @@ def shading(picture: Picture) -> dict[str, np.ndarray]:
         "coverage": coverage,
         "lit": picture.color() * coverage[..., None].astype(np.float32),
         "scattered": picture.color(),
+        "color": picture.mixed(picture.rng.uniform(-0.5, 1.5, (*picture.shape, 3)), HALVES),
+        "value": picture.mixed(picture.rng.uniform(-0.5, 1.5, picture.shape), HALVES[0]),
     }
 
 

@@ -7,7 +7,7 @@ from types import FunctionType
 import numpy as np
 import pytest
 
-from passes import naive_stages
+from passes import naive_published, naive_stages
 from passes.fragments import VARIANTS, random_inputs
 from passes.one_stage import assert_same_bits, run, run_naively, stages_by_module
 from sss_ref.interpret import arrays, kernel
@@ -16,6 +16,12 @@ from sss_ref.language.pipeline import CLIP_POSITION
 MODULES = stages_by_module()
 STAGES = {stage.name: stage for stages in MODULES.values() for stage in stages}
 FRAGMENT_STAGES = [stage for stage in STAGES.values() if CLIP_POSITION not in stage.outputs]
+NAIVE = {
+    name: value
+    for module in (naive_stages, naive_published)
+    for name, value in vars(module).items()
+    if isinstance(value, FunctionType) and value.__module__ == module.__name__ and not name.startswith("_")
+}
 CASES = [
     pytest.param(stage, overrides, size, seed, id=f"{stage.name}-{number}-{size[0]}x{size[1]}-seed{seed}")
     for stage in FRAGMENT_STAGES
@@ -32,7 +38,7 @@ def inputs_of(overrides, size, seed):
 @pytest.mark.parametrize(("stage", "overrides", "size", "seed"), CASES)
 def test_array_code_gives_the_bits_of_the_naive_loop(stage, overrides, size, seed):
     inputs = inputs_of(overrides, size, seed)
-    expected = run_naively(getattr(naive_stages, stage.name), stage, inputs)
+    expected = run_naively(NAIVE[stage.name], stage, inputs)
     assert all(np.isfinite(buffer).all() for buffer in expected.values())  # rule A6, degenerate fragments included
     assert_same_bits(run(arrays, stage, inputs), expected)
 
@@ -52,12 +58,7 @@ def test_fragments_decide_both_ways(stage):
 
 
 def test_every_stage_has_its_naive_namesake():
-    naive = {
-        name
-        for name, value in vars(naive_stages).items()
-        if isinstance(value, FunctionType) and value.__module__ == naive_stages.__name__ and not name.startswith("_")
-    }
-    assert naive == set(STAGES)
+    assert set(NAIVE) == set(STAGES)
 
 
 @pytest.mark.parametrize(("module", "stage"), [(module, s.name) for module, stages in MODULES.items() for s in stages])
