@@ -119,7 +119,7 @@ def test_verify_tells_a_difference_by_its_exit_code(out, capsys, monkeypatch):
         (["render", "--samples", "0"], "samples: expected at least 1, got 0; 4 makes smooth edges"),
         (["render", "--samples", "2", "--until", "lit"], "--samples: expected without --until and --keep all"),
         (["render", "--samples", "2", "--keep", "all"], "--samples: expected without --until and --keep all"),
-        (["render", "--preset", "nice"], 'preset: expected "paper" or "robust", got "nice"'),
+        (["render", "--preset", "nice"], 'preset: expected "paper", "robust" or "published", got "nice"'),
         (["render", "--keep", "most"], 'Invalid value "most" for --keep'),
         (["render", "--bogus"], 'Unknown option: --bogus'),
         (["paint"], 'Unknown command "paint"'),
@@ -179,7 +179,7 @@ def test_warmup_compiles_every_preset(capsys, monkeypatch):
 
     monkeypatch.setattr(rendering, "render", watched)
     assert main(["warmup"]) == 0
-    variants = ("paper", 100.0), ("robust", 100.0), ("paper", 4.2)
+    variants = ("paper", 100.0), ("robust", 100.0), ("published", 1000.0), ("paper", 4.2)
     assert seen == [(preset, far, keep) for preset, far in variants for keep in ("all", "final")]
     assert re.match(r"kernels ready after \d+\.\d s, kept in .+\n", capsys.readouterr().out)
 

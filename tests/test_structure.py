@@ -158,18 +158,19 @@ def all_methods():
         "mesh.color": ((0.7, 0.4, 0.4), "material"),
         "mesh.texture": (None, "any.png"),
         "shadow_map.filter": alternatives(settings.ShadowMap, "filter"),
-        "shadow_map.test": alternatives(settings.ShadowMap, "test"),
+        "shadow_map.test": [test for test in alternatives(settings.ShadowMap, "test") if test != "exact"],
         "translucency.form": alternatives(settings.Translucency, "form"),
         "translucency.combine": alternatives(settings.Translucency, "combine"),
         "blur.mask": alternatives(settings.Blur, "mask"),
         "lights.0.falloff": alternatives(viewpoints.LightSettings, "falloff"),
         "irradiance_map.mode": alternatives(settings.IrradianceMap, "mode"),
-        "irradiance_map.image": alternatives(settings.IrradianceMap, "image"),
+        "irradiance_map.image": [i for i in alternatives(settings.IrradianceMap, "image") if i != "sqrt_add"],
     }
     for values in product(*choices.values()):
         yield method_of(settings_with(dict(zip(choices, values, strict=True))))
     for method in METHODS:
         yield method_of(settings_with({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * 2}))
+        yield method_of(settings_with({"method": method, "preset": "published"}))
 
 
 def alternatives(table, key):

@@ -51,11 +51,16 @@ def warmup() -> int:
     from sss_ref.compiled import cache_folder
     from sss_ref.rendering import render as render_scene
     from sss_ref.scene.load import load_scene
-    from sss_ref.scene.presets import PRESETS
+    from sss_ref.scene.presets import FIXED
 
+    first_light = {"position": load_scene("default").settings.lights[0].position}
     small = {f"{table}.{side}": 64 for table in ("camera", "shadow_map") for side in ("width", "height")}
-    variants: list[dict[str, Any]] = [{"preset": preset} for preset in PRESETS]
-    variants.append({"camera.far": CUTTING_FAR})  # so that the clipper is compiled as well
+    variants: list[dict[str, Any]] = [
+        {"preset": "paper"},
+        {"preset": "robust"},
+        {"preset": "published", "lights": [first_light], **FIXED},
+        {"camera.far": CUTTING_FAR},  # so that the clipper is compiled as well
+    ]
     start = time.perf_counter()
     with progress("compiling kernels") as show:
         for variant in variants:

@@ -13,7 +13,7 @@ from sss_ref.errors import DumpError
 from sss_ref.io.exr import write_exr
 from sss_ref.io.manifest import FILE_NAME, FORMAT, Manifest, manifest_of, scene_hash
 from sss_ref.io.overview import write_overview
-from sss_ref.io.png import write_png
+from sss_ref.io.png import encoding_of, write_png
 from sss_ref.result import Result
 from sss_ref.samples import SampledResult
 
@@ -107,13 +107,19 @@ def _write(result: Result, manifest: Manifest, folder: Path) -> None:
     }
     write_exr(folder / "buffers.exr", result.buffers, (camera.width, camera.height), origin)
     if "image" in result.buffers:
-        write_png(folder / "image.png", *_preview(result))
+        write_png(folder / "image.png", *_preview(result), encode=encoding_of(result.scene.settings))
     write_overview(folder / "overview.png", result)
     (folder / FILE_NAME).write_text(manifest.model_dump_json(indent=2) + "\n", encoding="utf-8")
 
 
 def _preview(result: Result) -> tuple[np.ndarray, np.ndarray | None]:
-    """Colour and coverage of image.png; PNG wants the model's colour at its edges, without the background behind it."""
+    """Colour and coverage of image.png; PNG wants the model's colour at its edges, without the background behind it.
+
+    A picture whose blur reaches beyond the model has no alpha: it would hide the halo.
+    """
+    settings = result.scene.settings
+    if settings.method == "screen_space" and settings.blur.mask == "none":
+        return result.image, None
     if isinstance(result, SampledResult):
         return result.foreground, result.coverage
     return result.image, result.buffers.get("coverage")

@@ -1,6 +1,6 @@
 """overview.png: all buffers on one labelled sheet, in stage order, grouped by pass."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +9,7 @@ from PIL import Image, ImageDraw
 
 from sss_ref.io import tiles
 from sss_ref.io.lettering import BRIGHT, FAINT, SOFT, font
+from sss_ref.io.png import encoding_of
 from sss_ref.language.pipeline import MeshDraw, Pass
 from sss_ref.methods.catalogue import method_of
 from sss_ref.passes.buffers import described
@@ -36,6 +37,7 @@ class Tile:
     pass_name: str
     accent: tuple[int, int, int]
     leads: bool  # the first of its pass
+    encode: Callable[[np.ndarray], np.ndarray]  # of colours
 
     @property
     def range_text(self) -> tuple[str, str]:
@@ -66,12 +68,14 @@ def write_overview(path: Path, result: Result) -> None:
 
 def _tiles(result: Result) -> Iterator[Tile]:
     """The kept buffers in stage order, each with the pass that wrote it."""
+    encode = encoding_of(result.scene.settings)
     for number, one in enumerate(method_of(result.scene.settings).passes):
         kept = [name for name in one.outputs if name in result.buffers]
         for name in kept:
             buffer = result.buffers[name]
             accent = ACCENTS[number % len(ACCENTS)]
-            yield Tile(name, buffer, _covered(result, one, buffer), one.name, accent, leads=name == kept[0])
+            leads = name == kept[0]
+            yield Tile(name, buffer, _covered(result, one, buffer), one.name, accent, leads, encode)
 
 
 def _covered(result: Result, one: Pass, buffer: np.ndarray) -> np.ndarray:
@@ -116,7 +120,7 @@ def _draw_picture(sheet: Image.Image, tile: Tile, corner: tuple[int, int], frame
     """The buffer in the middle of its frame, in its own proportions: areas averaged, or pixels repeated."""
     height, width = tile.buffer.shape[:2]
     step = max(1, min(height // frame[1], width // frame[0]) // SUPERSAMPLES)
-    pixels = tiles.picture(tile.name, tile.buffer, tile.covered, step)[::-1]
+    pixels = tiles.picture(tile.name, tile.buffer, tile.covered, step, tile.encode)[::-1]
     scale = min(frame[0] / width, frame[1] / height)
     size = (max(1, round(width * scale)), max(1, round(height * scale)))
     filtered = Image.Resampling.BOX if scale < 1 else Image.Resampling.NEAREST

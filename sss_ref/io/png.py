@@ -1,9 +1,12 @@
-"""The preview: linear colours encoded as 8-bit sRGB (IEC 61966-2-1) in a PNG file, top row first."""
+"""The preview: colours in 8 bits, as sRGB (IEC 61966-2-1) or as they are, in a PNG file, top row first."""
 
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
 import numpy as np
+
+from sss_ref.scene.settings import SceneFile
 
 
 @cache
@@ -32,14 +35,29 @@ def srgb8(linear: np.ndarray) -> np.ndarray:
     return np.searchsorted(srgb_edges(), linear, side="right").astype(np.uint8)
 
 
-def write_png(path: Path, image: np.ndarray, coverage: np.ndarray | None = None) -> None:
-    """Write a linear RGB image float32 (H, W, 3), row 0 at the bottom, as an sRGB PNG.
+def plain8(values: np.ndarray) -> np.ndarray:
+    """float32 values, of any shape, as 0 to 255 (uint8) without encoding; values outside 0 to 1 are cut off."""
+    return np.rint(np.clip(values, 0, 1) * np.float32(255)).astype(np.uint8)
+
+
+def encoding_of(settings: SceneFile) -> Callable[[np.ndarray], np.ndarray]:
+    """How a scene's colours become 8 bits; the printed figures show theirs without sRGB encoding."""
+    return plain8 if settings.preset == "published" else srgb8
+
+
+def write_png(
+    path: Path,
+    image: np.ndarray,
+    coverage: np.ndarray | None = None,
+    encode: Callable[[np.ndarray], np.ndarray] = srgb8,
+) -> None:
+    """Write a linear RGB image float32 (H, W, 3), row 0 at the bottom, with its values encoded in 8 bits.
 
     coverage: 0 to 1 (H, W), becomes alpha (colour is not premultiplied by it); None: no alpha channel.
     """
     import imageio.v3 as imageio
 
-    pixels = srgb8(image)
+    pixels = encode(image)
     if coverage is not None:
-        pixels = np.dstack((pixels, np.rint(coverage * np.float32(255)).astype(np.uint8)))
+        pixels = np.dstack((pixels, plain8(coverage)))
     imageio.imwrite(path, pixels[::-1])

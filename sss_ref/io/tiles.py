@@ -1,5 +1,7 @@
 """One buffer as a picture to look at: what kind of values it holds decides how they are shown."""
 
+from collections.abc import Callable
+
 import numpy as np
 
 from sss_ref.io.channels import channel_names
@@ -16,16 +18,23 @@ RAMP = np.stack(
 BRIGHTENED = np.linspace(60, 255, 256).astype(np.uint8)
 
 
-def picture(name: str, buffer: np.ndarray, covered: np.ndarray, step: int = 1) -> np.ndarray:
+def picture(
+    name: str,
+    buffer: np.ndarray,
+    covered: np.ndarray,
+    step: int = 1,
+    encode: Callable[[np.ndarray], np.ndarray] = srgb8,
+) -> np.ndarray:
     """A buffer as sRGB uint8 (H, W, 3), row 0 at the bottom; covered: bool (H, W), the pixels that were drawn.
 
     step: show every step-th row and column only; the range of values is that of all of them.
+    encode: how colours become 8 bits.
     """
     kind = "".join(channel_names(name, buffer))
     whole_range = value_range(buffer, covered)
     buffer, covered = buffer[::step, ::step], covered[::step, ::step]
     if kind == "RGB":
-        return over_ground(srgb8(buffer), covered)
+        return over_ground(encode(buffer), covered)
     if buffer.dtype == np.uint8:
         return over_ground(np.array(MASK, np.uint8), buffer != 0)
     if buffer.dtype.kind == "i":

@@ -90,7 +90,7 @@ def _misfit_lights(lights: Any) -> Iterator[tuple[KeyPath, str]]:
     if not isinstance(lights, list | tuple):
         return
     if len(lights) > 1:
-        yield ("lights",), _misfit(("lights",), "one light", f"{len(lights)}")
+        yield ("lights",), _misfit(("lights",), "one light", len(lights))
     for number, light in enumerate(lights):
         path = ("lights", number, "falloff")
         if isinstance(light, Mapping) and light.get("falloff", "none") != "none":

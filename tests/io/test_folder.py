@@ -38,6 +38,21 @@ def test_only_what_was_kept(scene_file):
     assert files(early) == ["buffers.exr", "buffers/light_depth.npy", "manifest.json", "overview.png"]
 
 
+def test_a_halo_is_not_hidden_by_alpha(scene_file):
+    scene = load_scene(scene_file, **{"blur.mask": "none"})
+    folder = save(render(scene, interpreter="arrays", keep=["coverage", "image"]), scene_file.parent / "halo")
+    assert imageio.imread(folder / "image.png").shape == (32, 48, 3)
+
+
+def test_the_printed_figures_are_not_srgb_encoded(scene_file):
+    scene = load_scene(scene_file, preset="published")
+    result = render(scene, interpreter="arrays", keep=["image"])
+    folder = save(result, scene_file.parent / "printed")
+    steps = np.rint(result.image.astype(np.float64) * 255)
+    assert len(np.unique(steps)) > 20
+    assert np.array_equal(imageio.imread(folder / "image.png")[::-1], steps)
+
+
 def test_earlier_result_is_replaced_whole(result, saved):
     (saved / "buffers" / "stale.npy").write_bytes(b"")
     assert save(result, saved) == saved
@@ -53,7 +68,7 @@ def test_failure_in_the_middle_changes_nothing(result, tmp_path, monkeypatch, ex
         (tmp_path / "out" / "mark").write_text("the earlier one")
     before = files(tmp_path)
 
-    def full_disk(*_):
+    def full_disk(*_, **__):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(folder_module, step, full_disk)

@@ -20,6 +20,14 @@ def test_file_goes_on_its_preset():
     assert filled({"preset": 7})["translucency"]["y"] == -1.0  # validation will refuse it
 
 
+def test_what_a_preset_has_of_lights_lies_below_every_light():
+    lights = filled({"preset": "published", "lights": [{"fov_y": 30}, {}, 7]})["lights"]
+    assert [light["fov_y"] for light in lights[:2]] == [30, 90.0]
+    assert lights[2] == 7  # validation will refuse it
+    assert "lights" not in filled({"preset": "published"})
+    assert filled({"preset": "published", "lights": "one"})["lights"] == "one"
+
+
 def test_overrides_by_dotted_key_and_as_tables():
     data = {"camera": {"width": 1, "height": 2}, "lights": [{"intensity": 1.0}]}
     result, problems = overridden(data, {"camera.width": 8, "camera": {"far": 9}, "lights.0.intensity": 2.0, "a.b": 1})

@@ -97,6 +97,39 @@ BY_PRESET = {
             "dilate": 8,
         },
     },
+    "published": {
+        "camera": {**COMMON["camera"], "near": 0.001, "far": 1000.0, "width": 1600, "height": 900},
+        "lights": ({**COMMON["lights"][0], "target": (0.0, 0.0, 0.0), "fov_y": 90.0, "near": 0.001, "far": 1000.0},),
+        "shadow_map": {
+            "width": 1600,
+            "height": 900,
+            "filter": "bilinear",
+            "lookup_inset": 0.99,
+            "test": "exact",
+            "bias_abs": 0.0,
+            "bias_slope": 1.5,
+            "encoding": "unorm8",
+            "lookup_stage": "vertex",
+        },
+        "translucency": {
+            "form": "exponent",
+            "combine": "add",
+            "x": 0.5,
+            "y": 1.0,
+            "exponent": 0.6,
+            "scale": 1.0,
+            "d_min": 0.0,
+        },
+        "blur": {"kernel": "schoenberger", "mask": "none", "pixel_scale": 1.0, "normalize": False},
+        "irradiance_map": {
+            "width": 1600,
+            "height": 900,
+            "mode": "distance",
+            "image": "sqrt_add",
+            "overlap": "first",
+            "dilate": 0,
+        },
+    },
 }
 
 

@@ -13,9 +13,10 @@ def problems(scene, **overrides):
 
 ANOTHER = "choose another value"
 NUMBER = "write it without quotes, such as 1.5"
+ONLY_PUBLISHED, OR_THE_PRESET = 'expected another value without preset "published"', "choose one, or the preset"
 WRONG = [
     ("method", "ray_tracing", 'expected "screen_space" or "texture_space", got "ray_tracing"; choose one of these'),
-    ("preset", "published", 'expected "paper" or "robust", got "published"; choose one of these'),
+    ("preset", "printed", 'expected "paper", "robust" or "published", got "printed"; choose one of these'),
     ("mm_per_unit", True, f"expected a number, got true; {NUMBER}"),
     ("mm_per_unit", "1", f'expected a number, got "1"; {NUMBER}'),
     ("mm_per_unit", 0, f"expected a number > 0 (in float32), got 0; {ANOTHER}"),
@@ -51,11 +52,16 @@ WRONG = [
         "expected a point other than where it is looked from, got [0, 0, 9]; move one of the two",
     ),
     ("lights.0.up", [0, 0, 0], f"expected a vector that is not zero, got [0, 0, 0]; {ANOTHER}"),
-    ("shadow_map.encoding", "unorm8", 'expected "float32", got "unorm8"; choose one of these'),
+    ("shadow_map.encoding", "float16", 'expected "float32" or "unorm8", got "float16"; choose one of these'),
+    ("shadow_map.encoding", "unorm8", f'{ONLY_PUBLISHED}, got "unorm8"; {OR_THE_PRESET}'),
+    ("shadow_map.lookup_stage", "vertex", f'{ONLY_PUBLISHED}, got "vertex"; {OR_THE_PRESET}'),
+    ("shadow_map.test", "exact", f'{ONLY_PUBLISHED}, got "exact"; {OR_THE_PRESET}'),
+    ("irradiance_map.image", "sqrt_add", f'{ONLY_PUBLISHED}, got "sqrt_add"; {OR_THE_PRESET}'),
     ("shadow_map.lookup_inset", 1.5, f"expected a number > 0 and <= 1, got 1.5; {ANOTHER}"),
     ("phong.shininess", 0, f"expected a number > 0 (in float32), got 0; {ANOTHER}"),
     ("translucency.x", -1, f"expected a number > 0 (in float32), got -1; {ANOTHER}"),
-    ("translucency.d_min", 0, f"expected a number > 0 (in float32), got 0; {ANOTHER}"),
+    ("translucency.d_min", 0, f"{ONLY_PUBLISHED}, got 0; {OR_THE_PRESET}"),
+    ("translucency.d_min", 1e-46, f"expected a number >= 0, got 1e-46; {ANOTHER}"),
     ("blur.kernel", "gauss", 'expected "table1", "hbh09" or "schoenberger", got "gauss"; choose one of these'),
     ("blur.kernel", [], f"expected at least one row, got []; {ANOTHER}"),
     ("blur.kernel", [[0, 0, 1, 1]], "[0][4]: expected a value, got nothing; add it"),
@@ -75,6 +81,37 @@ def test_one_wrong_value(small, key, value, message):
     where = key.replace("lights.0", "lights[0]")
     element = message.startswith("[")
     assert problems(small, **{key: value}) == [f"override: {where}{'' if element else ': '}{message}"]
+
+
+FIXED = [
+    ("shadow_map.filter", "nearest", '"bilinear"'),
+    ("shadow_map.test", "slope", '"exact"'),
+    ("shadow_map.encoding", "float32", '"unorm8"'),
+    ("shadow_map.lookup_stage", "fragment", '"vertex"'),
+    ("translucency.form", "ratio", '"exponent"'),
+    ("translucency.combine", "transmit", '"add"'),
+    ("translucency.d_min", 0.1, "0.0"),
+    ("blur.mask", "taps", '"none"'),
+    ("irradiance_map.mode", "paper", '"distance"'),
+    ("irradiance_map.image", "sqrt", '"sqrt_add"'),
+    ("irradiance_map.dilate", 4, "0"),
+    ("lights.0.falloff", "inverse_square", '"none"'),
+]
+
+
+@pytest.mark.parametrize("key, value, fixed", FIXED, ids=str)
+def test_the_passes_of_the_figures_are_fixed(small, key, value, fixed):
+    where, came = key.replace("lights.0", "lights[0]"), f'"{value}"' if isinstance(value, str) else value
+    remedy = "remove it or choose another preset"
+    line = f'override: {where}: expected {fixed} with preset "published", got {came}; {remedy}'
+    assert problems(small, preset="published", **{key: value}) == [line]
+    assert load_scene(small, preset="published").settings.preset == "published"
+
+
+def test_the_figures_have_one_light(small):
+    lights = [{"position": [0, 0, 9]}] * 2
+    expected = 'lights: expected one light with preset "published", got 2; remove it or choose another preset'
+    assert problems(small, preset="published", lights=lights) == [f"override: {expected}"]
 
 
 def test_toml_that_cannot_be_parsed(tmp_path):
