@@ -16,6 +16,7 @@ from sss_ref.language import (
     ivec2,
     nearest_texel,
     sample_bilinear,
+    sample_bilinear_clamped,
     size,
     stage,
     texel,
@@ -37,6 +38,7 @@ class Samples(NamedTuple):
     blended: vec3
     number: float
     pair: vec2
+    clamped: vec3
     edge: vec4
     index: int
     flag: bool
@@ -65,6 +67,7 @@ def samples(
         sample_bilinear(colors, corner, t),
         sample_bilinear(numbers, corner, t),
         sample_bilinear(pairs, corner, t),
+        sample_bilinear_clamped(colors, uv),
         texel_clamped(fours, pixel - ivec2(10, 6)),
         texel_clamped(indices, corner),
         texel_clamped(flags, corner),
@@ -82,6 +85,7 @@ def naive_samples(colors, numbers, pairs, fours, indices, flags, uv, pixel):
         naive.bilinear(colors, corner, t),
         naive.bilinear(numbers, corner, t)[0],
         naive.bilinear(pairs, corner, t),
+        naive.bilinear(colors, *naive.between_centres(colors, [min(max(v, F(0)), F(1)) for v in uv])),
         naive.fetch(fours, pixel[0] - 10, pixel[1] - 6),
         naive.fetch(indices, *corner)[0],
         naive.fetch(flags, *corner)[0],
@@ -161,6 +165,12 @@ def test_bilinear_by_hand():
 @pytest.mark.parametrize(("u", "v", "corner"), [(-3, -3, 1), (4, -0.5, 2), (0, 1, 3), (0.25, 9, 3), (1, 1, 7)])
 def test_bilinear_is_clamped_to_the_edge(u, v, corner):
     assert sample(F([[1, 2], [3, 7]]), (u, v)) == corner
+
+
+def test_beyond_the_edge_a_clamped_sample_is_that_of_the_edge():
+    texture = Texture(F([[1, 2], [3, 7]]))
+    for u, v, expected in ((-3, -3, 1), (4, 0.5, 4.5), (1e30, -1e30, 2), (0.5, 0.5, 3.25)):
+        assert sample_bilinear_clamped(texture, vec2(F(u), F(v))) == expected
 
 
 def test_x_is_mixed_before_y():

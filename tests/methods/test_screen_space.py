@@ -114,7 +114,7 @@ def test_both_interpreters_give_the_same_bits(bodies, body, case):
     assert (lit & covered).any() and (~lit & valid & covered).any() and not covered.all()
 
 
-@pytest.mark.parametrize("preset", ["paper", "robust"])
+@pytest.mark.parametrize("preset", ["paper", "robust", "published"])
 @pytest.mark.parametrize(
     ("path", "distance"),
     [("head_lps/leeperrysmith.obj", 15.0), ("spot/spot_triangulated.obj", 3.4), ("bunny/bunny_hr.obj", 3.4)],
