@@ -25,7 +25,7 @@ def requiring(holds: Callable[[Any], bool], expected: str, remedy: str = "choose
 
 def _three_times(value: Any) -> Any:
     """A single number, and not a bool, stands for the same number on every axis."""
-    return (value,) * 3 if type(value) in (int, float) else value
+    return (value,) * 3 if isinstance(value, int | float) and not isinstance(value, bool) else value
 
 
 Number = Annotated[float, requiring(lambda x: abs(x) < FLOAT32_OVERFLOW, "a number that fits float32")]

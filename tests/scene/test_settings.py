@@ -1,3 +1,4 @@
+import numpy as np
 import pytest
 from pydantic import ValidationError
 
@@ -143,6 +144,7 @@ def test_whole_numbers_become_float(small):
     resolved = SceneFile.model_validate(filled({**small, "mm_per_unit": 2}))
     assert type(resolved.mm_per_unit) is float and type(resolved.mesh.scale[0]) is float
     assert MeshSettings(path="x", scale=3).scale == (3.0, 3.0, 3.0)
+    assert MeshSettings(path="x", scale=np.float64(0.5)).scale == (0.5, 0.5, 0.5)
 
 
 def test_every_parameter_is_explained():
