@@ -4,6 +4,7 @@
     result = sss_ref.render(scene)
     result["thickness"], result.image, result.hashes
     result.save("out")
+    sss_ref.explain(scene, (256, 300))
 
 Importing the package loads neither numba nor trimesh and changes nothing.
 """
@@ -13,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from sss_ref.errors import DumpError, MeshError, RenderError, SceneError, SssRefError, StageError
+    from sss_ref.explanation.explain import explain
     from sss_ref.rendering import render
     from sss_ref.result import Result
     from sss_ref.scene.load import Scene, load_scene
@@ -26,6 +28,7 @@ _HOMES = {
     "SceneError": "sss_ref.errors",
     "SssRefError": "sss_ref.errors",
     "StageError": "sss_ref.errors",
+    "explain": "sss_ref.explanation.explain",
     "load_scene": "sss_ref.scene.load",
     "render": "sss_ref.rendering",
 }
@@ -39,6 +42,7 @@ __all__ = [
     "SceneError",
     "SssRefError",
     "StageError",
+    "explain",
     "load_scene",
     "render",
 ]

@@ -51,7 +51,7 @@ def render(
             f"{scene.mesh.name}: expected UVs, which the {method.name} method needs, got none; unwrap the mesh"
         )
     with _pool(threads) as pool:
-        rendering = _Rendering(scene, INTERPRETERS[interpreter], pool, _kept(method, keep))
+        rendering = Rendering(scene, INTERPRETERS[interpreter], pool, _kept(method, keep))
         needed = method.only(rendering.kept)
         for one in needed.passes:
             if on_pass:
@@ -88,7 +88,7 @@ def _needed_after(method: Method, one: Pass) -> set[str]:
 
 
 @dataclass
-class _Rendering:
+class Rendering:
     """One run through a method: what is there so far."""
 
     scene: Scene

@@ -42,8 +42,9 @@ MAY_IMPORT = {
     "rendering": {"language", "raster", "interpret", "passes", "scene", "methods", "result"},
     "result": {"scene"},
     "samples": {"scene", "result", "rendering"},
+    "explanation": {"language", "raster", "interpret", "passes", "scene", "methods", "result", "rendering"},
     "io": {"language", "passes", "scene", "methods", "result", "rendering", "samples"},
-    "cli": {"language", "passes", "scene", "methods", "result", "rendering", "io"},
+    "cli": {"language", "passes", "scene", "methods", "result", "rendering", "explanation", "io"},
 }
 
 
@@ -86,6 +87,7 @@ def test_the_direction_has_no_circle():
         "result",
         "rendering",
         "samples",
+        "explanation",
         "io",
         "cli",
     ]

@@ -1,10 +1,11 @@
-"""The command line: `sss-ref render`, `verify`, `diff`, `info`, `scenes` and `warmup`. Nothing is computed here."""
+"""The command line: `sss-ref render`, `verify`, `diff`, `explain` and so on. Nothing is computed here."""
 
 from cyclopts import App, CycloptsError
 from rich.markup import escape
 
 from sss_ref.cli.comparing import diff, verify
 from sss_ref.cli.console import BAD_INPUT, err
+from sss_ref.cli.explaining import explain
 from sss_ref.cli.listing import info, scenes
 from sss_ref.cli.rendering import render, warmup
 from sss_ref.errors import SssRefError
@@ -19,7 +20,7 @@ def _version() -> str:
 
 
 app = App(name="sss-ref", help=PURPOSE, version=_version, result_action="return_value")
-for command in (render, verify, diff, info, scenes, warmup):
+for command in (render, verify, diff, explain, info, scenes, warmup):
     app.command(command)
 
 

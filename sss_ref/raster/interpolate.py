@@ -27,10 +27,10 @@ def barycentric(primitives, piece, column, row, step):
     )
 
 
-def interpolate_arrays(
+def weights_arrays(
     primitives: Primitives, piece: np.ndarray, column: np.ndarray, row: np.ndarray, step: int
 ) -> np.ndarray:
-    """All attributes of N fragments, float32 (N, A), by plain array code that shares nothing with the kernels.
+    """The weights of N fragments, float32 (3, N), by plain array code that shares nothing with the kernels.
 
     piece, column, row: integers (N,), a piece and a pixel whose sample it covers. step: 2^subpixel_bits.
     """
@@ -39,6 +39,13 @@ def interpolate_arrays(
     to_x, to_y = x - np.asarray(column, np.int64) * step, y - np.asarray(row, np.int64) * step
     opposite, next_one = [1, 2, 0], [2, 0, 1]
     e = to_x[opposite] * to_y[next_one] - to_x[next_one] * to_y[opposite]
-    w0, w1, w2 = np.abs(e).astype(np.float32)[..., None] * primitives.inverse_w[corners][..., None]
-    a0, a1, a2 = primitives.attributes[corners]
+    return np.abs(e).astype(np.float32) * primitives.inverse_w[corners]
+
+
+def interpolate_arrays(
+    primitives: Primitives, piece: np.ndarray, column: np.ndarray, row: np.ndarray, step: int
+) -> np.ndarray:
+    """All attributes of N fragments, float32 (N, A); arguments as in `weights_arrays`."""
+    w0, w1, w2 = weights_arrays(primitives, piece, column, row, step)[..., None]
+    a0, a1, a2 = primitives.attributes[primitives.corners[piece].T]
     return ((a0 * w0 + a1 * w1) + a2 * w2) / ((w0 + w1) + w2)

@@ -1,0 +1,1 @@
+"""One pixel explained: every stage that made it, line by line."""

@@ -1,0 +1,41 @@
+"""An explanation as HTML, for notebooks."""
+
+from html import escape
+
+from sss_ref.explanation.rows import Row, Section
+
+STYLE = """
+<style>
+.sss-explanation { font: 13px/1.45 system-ui, sans-serif; max-width: 100%; overflow-x: auto; }
+.sss-explanation h3 { margin: 1.2em 0 0.2em; font-size: 1.15em; }
+.sss-explanation summary { cursor: pointer; margin: 0.5em 0 0.1em; }
+.sss-explanation summary b { font-family: ui-monospace, monospace; }
+.sss-explanation .note { opacity: 0.65; }
+.sss-explanation table { border-collapse: collapse; margin: 0 0 0.6em 1em; }
+.sss-explanation td { font-family: ui-monospace, monospace; text-align: left; padding: 1px 14px 1px 0; border: 0;
+  white-space: pre; }
+.sss-explanation .read td, .sss-explanation .call td, .sss-explanation .turn td { opacity: 0.65; }
+.sss-explanation td.bits { opacity: 0.5; }
+.sss-explanation td.unit { font-family: inherit; opacity: 0.65; }
+</style>
+"""
+
+
+def html(sections: list[Section]) -> str:
+    """Sections as HTML with its own style; each stage can be folded."""
+    return f'{STYLE}<div class="sss-explanation">{"".join(map(_section, sections))}</div>'
+
+
+def _section(section: Section) -> str:
+    note = f'<span class="note">{escape(section.note)}</span>'
+    if section.level == 1:
+        return f"<h3>{escape(section.title)}</h3>{note}"
+    rows = "".join(map(_row, section.rows))
+    head = f"<summary><b>{escape(section.title)}</b> {note}</summary>"
+    return f"<details open>{head}<table>{rows}</table></details>"
+
+
+def _row(row: Row) -> str:
+    text = "    " * row.depth + row.text
+    cells = ("", text), ("", row.value), ("bits", row.bits), ("unit", row.unit)
+    return f'<tr class="{row.kind}">{"".join(f"<td class={name!r}>{escape(cell)}</td>" for name, cell in cells)}</tr>'

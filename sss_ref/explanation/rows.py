@@ -1,0 +1,119 @@
+"""An explanation as a list of headed tables, for the terminal and for a page alike."""
+
+import inspect
+from collections.abc import Collection, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from sss_ref.errors import SceneError
+from sss_ref.explanation.explain import Drawn, Explanation, PassTrace, StageTrace
+from sss_ref.explanation.values import bits, shown
+from sss_ref.interpret.trace import Step
+from sss_ref.language.pipeline import MESH_ATTRIBUTES
+from sss_ref.language.types import mat3, mat4, vec3, vec4
+from sss_ref.passes.buffers import BUFFERS, described
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line of a table. depth: how far it is indented; kind: "read", "line", "call" or "turn"."""
+
+    kind: str
+    depth: int
+    text: str
+    value: str = ""
+    bits: str = ""
+    unit: str = ""
+
+
+@dataclass
+class Section:
+    """A pass (level 1), or a stage or draw in it (level 2), with what it says about itself."""
+
+    level: int
+    title: str
+    note: str
+    rows: list[Row] = field(default_factory=list)
+
+
+def sections(explanation: Explanation, stage: str | None = None, depth: int = 1) -> list[Section]:
+    """The tables of an explanation.
+
+    stage: show this one only. depth: how many calls inside each other are opened; 1 shows what the calls in a line of
+    a stage give, 2 also the lines of those functions. Raises SceneError for a stage that is not there.
+    """
+    found = [section for one in explanation.passes for section in _of_pass(one, depth)]
+    if stage is None:
+        return found
+    chosen = [section for section in found if section.level == 2 and section.title.split()[0] == stage]
+    if not chosen:
+        names = dict.fromkeys(traced.stage.name for one in explanation.passes for traced in one.stages)
+        raise SceneError(f"stage: expected one of {', '.join(names)}, got {stage!r}; none of that name made this pixel")
+    return chosen
+
+
+def _of_pass(one: PassTrace, depth: int) -> Iterator[Section]:
+    at = "" if one.place.pixel is None else f"pixel {one.place.pixel[0]},{one.place.pixel[1]}: "
+    yield Section(1, f"pass {one.name}", at + one.place.reason)
+    if one.drawn:
+        told: set[str] = set()  # the uniforms are the same at every corner
+        for vertex in one.drawn.vertices:
+            yield _of_stage(vertex, depth, told)
+            told = set(vertex.reads) - set(MESH_ATTRIBUTES)
+        yield _of_draw(one.drawn)
+    for traced in one.stages:
+        yield _of_stage(traced, depth)
+
+
+def _of_draw(drawn: Drawn) -> Section:
+    """The triangle, the weights of its corners, and what is interpolated."""
+    cut = " (a piece of it: the clipper has cut it, and its corners are new vertices)" if drawn.clipped else ""
+    section = Section(2, f"triangle {drawn.triangle}", f"rules R1 to R5{cut}")
+    total = sum(float(corner.weight) for corner in drawn.corners)
+    for corner in drawn.corners:
+        share = f"{float(corner.weight) / total:.1%} of the three"
+        section.rows.append(_row("read", f"weight of corner {corner.vertex}", corner.weight, unit=share))
+    section.rows += [_row("line", name, value) for name, value in drawn.values.items()]
+    return section
+
+
+def _of_stage(traced: StageTrace, depth: int, told: Collection[str] = ()) -> Section:
+    """A stage: what it reads, but for what was told before, and its lines."""
+    about = inspect.getdoc(traced.stage.python) or ""
+    where = f" at {traced.at}" if traced.at else ""
+    section = Section(2, traced.stage.name + where, f"{traced.stage.source}. {about.splitlines()[0]}")
+    section.rows += [row for name, value in traced.reads.items() if name not in told for row in _of_read(name, value)]
+    units = {name: described(name).unit for name in traced.writes if _is_buffer(name)}
+    section.rows += [row for step in traced.steps for row in _of_step(step, 0, depth, units)]
+    return section
+
+
+def _of_read(name: str, value: Any) -> Iterator[Row]:
+    """A value that a stage reads; matrices row by row."""
+    yield _row("read", name, value)
+    if isinstance(value, mat3 | mat4):
+        yield from (_row("read", f"row {k}", (vec3, vec4)[len(row) - 3](*row), 1) for k, row in enumerate(value.rows))
+
+
+def _of_step(step: Step, indent: int, depth: int, units: Mapping[str, str]) -> Iterator[Row]:
+    """A step and, as far as `depth` allows, what is inside it."""
+    is_loop = isinstance(step.source, str)
+    kind = "turn" if is_loop else "line" if step.name else "call"
+    if step.text == step.name:
+        return  # a value returned under the name it has
+    text = f"{step.name} = {step.text}" if step.name else step.text
+    yield Row(kind, indent, text) if is_loop else _row(kind, text, step.value, indent, units.get(step.name, ""))
+    left = depth - (kind == "call")
+    for inner in step.inner if left > 0 or is_loop else ():
+        if inner.source is step.source:  # the whole line is one call, which gives what the line gives
+            yield from (row for line in inner.inner if left > 1 for row in _of_step(line, indent + 1, left - 1, units))
+        else:
+            yield from _of_step(inner, indent + 1, left, units)
+
+
+def _row(kind: str, text: str, value: Any, indent: int = 0, unit: str = "") -> Row:
+    return Row(kind, indent, text, shown(value), bits(value), unit)
+
+
+def _is_buffer(name: str) -> bool:
+    return name in BUFFERS or name.rstrip("0123456789").rstrip("_") in BUFFERS

@@ -1,0 +1,137 @@
+"""Stages for one fragment, line by line: what each line gives, and what the calls in it give.
+
+The values are NumPy scalars of the array interpreter's kind, so every one has the bits of the buffers.
+"""
+
+import operator
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sss_ref.language import tree
+from sss_ref.language.notation import written
+from sss_ref.language.stage import Stage
+
+OPERATORS: dict[str, Callable[..., Any]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
+    "<": operator.lt,
+    "<=": operator.le,
+    ">": operator.gt,
+    ">=": operator.ge,
+    "==": operator.eq,
+    "!=": operator.ne,
+    "&": operator.and_,
+    "|": operator.or_,
+    "neg": operator.neg,
+}
+TOLD = ("pow", "exp", "exp2", "log2", "texel")  # the primitives whose results are worth a line of their own
+
+
+@dataclass(frozen=True)
+class Step:
+    """A line of a stage, or a call in it.
+
+    name: what the line assigns, or "". source: the expression, or the head of a loop or the number of its turn as text.
+    value: what it gives; None for loops. inner: of a line the calls in it, of a call the lines of the function, of a
+    loop its turns, of a turn its lines.
+    """
+
+    name: str
+    source: tree.Expression | str
+    value: Any
+    inner: tuple["Step", ...] = ()
+
+    @property
+    def text(self) -> str:
+        """The source as Python."""
+        return self.source if isinstance(self.source, str) else written(self.source)
+
+
+def trace(stage: Stage, inputs: Sequence[Any]) -> tuple[tuple[Step, ...], dict[str, Any]]:
+    """Run a stage for one fragment; its steps, and buffer -> value of what it writes.
+
+    inputs: one value of the language per parameter, in order, each a scalar or made of scalars.
+    """
+    lines = _Lines(dict(zip(stage.parameters, inputs, strict=True)))
+    with np.errstate(all="ignore"):
+        results = lines.run(stage.body, stage.writes)
+    return tuple(lines.steps), {stage.writes[own]: value for own, value in results.items()}
+
+
+class _Lines:
+    """The lines of one body as they are run; `steps` grows, and `calls` holds those of the line at work."""
+
+    def __init__(self, names: dict[str, Any]) -> None:
+        self.names = names
+        self.steps: list[Step] = []
+        self.calls: list[Step] = []
+
+    def run(self, body: tree.Body, results: Mapping[str, str]) -> dict[str, Any]:
+        """Run a body; output -> value. results: output -> the name it gets in the trace."""
+        for statement in body.statements:
+            if isinstance(statement, tree.Loop):
+                self.loop(statement)
+            else:
+                self.names[statement.name] = self.line(statement.name, statement.value)
+        return {own: self.line(results.get(own, ""), value) for own, value in body.result.values.items()}
+
+    def line(self, name: str, expression: tree.Expression) -> Any:
+        """Evaluate an expression as a line of its own."""
+        self.calls = []
+        value = self.value(expression)
+        self.steps.append(Step(name, expression, value, tuple(self.calls)))
+        return value
+
+    def loop(self, statement: tree.Loop) -> None:
+        """Run a loop; its turns become steps of their own."""
+        outside, turns = self.steps, []
+        start, stop = self.value(statement.start), self.value(statement.stop)
+        for index in range(start, stop):
+            self.names[statement.index], self.steps = index, []
+            for assign in statement.block:
+                self.names[assign.name] = self.line(assign.name, assign.value)
+            turns.append(Step(statement.index, str(index), None, tuple(self.steps)))
+        self.steps = outside
+        head = f"for {statement.index} in range({written(statement.start)}, {written(statement.stop)})"
+        self.steps.append(Step("", head, None, tuple(turns)))
+
+    def value(self, expression: tree.Expression) -> Any:
+        """The value of an expression; calls that are worth telling are noted on the way."""
+        match expression:
+            case tree.Literal(value=value):
+                return value
+            case tree.Constant(type=kind, value=value):
+                return np.float32(value) if kind is float else value
+            case tree.Name(name=name):
+                return self.names[name]
+            case tree.Member(vector=vector, letters=letters):
+                return getattr(self.value(vector), letters)
+            case tree.Construct(type=kind, parts=parts):
+                return kind(*map(self.value, parts))
+            case tree.Operation(operator=sign, operands=operands):
+                return OPERATORS[sign](*map(self.value, operands))
+            case tree.Element(array=array, index=index):
+                return self.told(expression, self.names[array.name][self.value(index)])
+            case tree.Call():
+                return self.call(expression)
+
+    def call(self, expression: tree.Call) -> Any:
+        """A call of a primitive, or of a function with lines of its own."""
+        arguments = list(map(self.value, expression.arguments))
+        if expression.body is None:
+            primitive: Any = expression.callee
+            value = primitive(*arguments)
+            return self.told(expression, value) if expression.callee.name in TOLD else value
+        function = _Lines(dict(zip(expression.body.parameters, arguments, strict=True)))
+        value = function.run(expression.body, {})["return"]
+        return self.told(expression, value, tuple(function.steps))
+
+    def told(self, expression: tree.Expression, value: Any, inner: tuple[Step, ...] = ()) -> Any:
+        """Note what a part of the line at work gives."""
+        self.calls.append(Step("", expression, value, inner))
+        return value

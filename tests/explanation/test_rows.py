@@ -1,0 +1,130 @@
+"""What is shown of an explanation: rows of source, value, bits and unit; in the terminal and as a page."""
+
+import re
+
+import numpy as np
+import pytest
+from scenes import around, sphere, written
+
+from sss_ref.cli import main
+from sss_ref.errors import SceneError
+from sss_ref.explanation.explain import explain
+from sss_ref.explanation.rows import sections
+from sss_ref.explanation.values import bits, shown
+from sss_ref.language.types import Array, Texture, ivec2, mat3, vec3
+from sss_ref.rendering import render
+from sss_ref.scene.load import load_scene
+
+F = np.float32
+
+
+@pytest.fixture(scope="module")
+def told(tmp_path_factory):
+    path = written(tmp_path_factory.mktemp("bodies") / "sphere.obj", *sphere(8))
+    return explain(render(load_scene(around(path, size=32)), interpreter="arrays"), (16, 17))
+
+
+def rows_of(told, stage, depth=1):
+    (section,) = sections(told, stage, depth)
+    return section.rows
+
+
+@pytest.mark.parametrize(
+    ("value", "text", "pattern"),
+    [
+        (F(0.1), "0.1", "3dcccccd"),
+        (F(-0.0), "-0", "80000000"),
+        (1.0, "1", "3f800000"),
+        (F(1e30), "1e+30", "7149f2ca"),
+        (np.True_, "true", ""),
+        (False, "false", ""),
+        (np.int32(-1), "-1", ""),
+        (ivec2(np.int32(3), np.int32(4)), "(3, 4)", ""),
+        (vec3(F(1), F(0.5), F(2)), "(1, 0.5, 2)", "3f800000 3f000000 40000000"),
+        (Texture(np.zeros((2, 5, 3), F)), "5 x 2 texels", ""),
+        (Array(np.zeros((13, 2), F)), "13 elements", ""),
+        (mat3(np.eye(3)), "3 x 3 matrix", ""),
+    ],
+)
+def test_values_as_text(value, text, pattern):
+    assert (shown(value), bits(value)) == (text, pattern)
+
+
+def test_a_stage_line_by_line(told):
+    rows = rows_of(told, "back_point")
+    assert [row.text for row in rows] == [
+        "position_world",
+        "light_position",
+        "stored_distance",
+        "shadow_valid",
+        "direction = normalize(position_world - light_position)",
+        "entry_point = select(shadow_valid, light_position + direction * stored_distance, position_world)",
+        "thickness = length(position_world - entry_point)",
+    ]
+    assert [row.kind for row in rows] == ["read"] * 4 + ["line"] * 3
+    assert [row.unit for row in rows[-3:]] == ["", "scene units, world space", "scene units along the light's ray"]
+    thickness = told.result["thickness"][17, 16]
+    assert rows[-1].value == str(thickness) and rows[-1].bits == f"{thickness.view(np.uint32):08x}"
+
+
+def test_depth_opens_calls(told):
+    normalized = [row.text for row in rows_of(told, "back_point", depth=2) if row.depth == 1]
+    assert normalized[:2] == ["magnitude = length(v)", "select(magnitude > 0.0, v / magnitude, vec3(0.0, 0.0, 0.0))"]
+    bare = rows_of(told, "phong_shading", depth=0)
+    assert not any(row.kind == "call" for row in bare)
+    assert any(row.kind == "call" for row in rows_of(told, "phong_shading"))
+
+
+def test_every_tap_is_a_turn_with_its_weight_and_sample(told):
+    rows = rows_of(told, "scatter")
+    turns = [k for k, row in enumerate(rows) if re.fullmatch(r"tap = \d+", row.text)]
+    assert len(turns) == 13
+    assert [row.text for row in rows[turns[12] + 1 : turns[12] + 5]] == [
+        "total = total + tap_sample(lit, pixel, tap_offset[tap] * pixel_scale) * tap_weight[tap]",
+        "tap_offset[tap]",
+        "tap_sample(lit, pixel, tap_offset[tap] * pixel_scale)",
+        "tap_weight[tap]",
+    ]
+    assert rows[turns[12] + 4].value == "(0.0735, 0.0232, 0.0097)"
+
+
+def test_uniforms_of_the_vertices_are_told_once(told):
+    vertices = [section for section in sections(told) if section.title.startswith("mesh_vertex at vertex")]
+    assert len(vertices) == 6  # three of the shadow map's triangle, three of the camera's
+    assert ["world_from_model" in [row.text for row in section.rows] for section in vertices] == [
+        True,
+        False,
+        False,
+    ] * 2
+    assert all("position" in [row.text for row in section.rows] for section in vertices)
+
+
+def test_matrices_are_told_row_by_row(told):
+    rows = rows_of(told, "shadow_lookup_nearest")
+    first = next(k for k, row in enumerate(rows) if row.text == "light_clip_from_world")
+    assert [(row.text, row.depth) for row in rows[first + 1 : first + 5]] == [(f"row {k}", 1) for k in range(4)]
+
+
+def test_a_stage_that_did_not_run(told):
+    with pytest.raises(SceneError, match=r"stage: expected one of distance_to_light, .*, got 'lit_add'; none of that"):
+        sections(told, "lit_add")
+
+
+def test_as_a_page(told):
+    page = told._repr_html_()
+    assert page.count("<details") == len([section for section in sections(told) if section.level == 2])
+    assert "directly_lit = (facing &gt; 0.0) &amp; (behind &lt;= bias)" in page
+    assert f"{told.result['thickness'][17, 16].view(np.uint32):08x}" in page
+
+
+def test_in_the_terminal(capsys):
+    assert main(["explain", "sphere", "--pixel", "20,30", "--stage", "back_point", "--size", "48x48"]) == 0
+    printed = capsys.readouterr().out
+    assert "thickness = length(position_world - entry_point)" in printed
+    assert "scene units along the light's ray" in printed
+    for wrong, message in (
+        ("20", "--pixel: expected COLUMN,ROW, got '20'; write it as 256,300"),
+        ("20,99", "pixel: expected column 0 to 47 and row 0 to 47, got 20,99; row 0 is at the bottom"),
+    ):
+        assert main(["explain", "sphere", "--pixel", wrong, "--size", "48x48"]) == 2
+        assert message in capsys.readouterr().err.replace("\n", " ")
