@@ -6,7 +6,6 @@ of the compiler's version and of its settings: an edit anywhere opens a new fold
 """
 
 import hashlib
-import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from functools import cache
@@ -15,7 +14,8 @@ from pathlib import Path
 from typing import Any
 
 import numba
-import platformdirs
+
+from sss_ref.cache_root import cache_below
 
 SETTINGS: Any = numba.config  # filled at run time, so type checkers do not see its fields
 CONTRACT: dict[str, Any] = {"nogil": True, "error_model": "numpy"}  # and never fastmath: rule A1
@@ -24,13 +24,7 @@ CONTRACT: dict[str, Any] = {"nogil": True, "error_model": "numpy"}  # and never 
 @cache
 def cache_folder() -> Path | None:
     """The folder for these sources and this compiler (None: nowhere to write, so every process compiles anew)."""
-    root = os.environ.get("SSS_REF_CACHE_DIR") or platformdirs.user_cache_dir("sss_ref", appauthor=False)
-    folder = Path(root) / fingerprint()
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError:
-        return None
-    return folder if os.access(folder, os.W_OK) else None
+    return cache_below(fingerprint())
 
 
 def fingerprint() -> str:

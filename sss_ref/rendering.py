@@ -22,8 +22,10 @@ from sss_ref.raster.rasterize import visibility
 from sss_ref.raster.viewport import Viewport
 from sss_ref.result import Result
 from sss_ref.scene.load import Scene
+from sss_ref.scene.problems import told
 from sss_ref.scene.uniforms import uniforms
 
+OTHER_UVS = "export the mesh without UVs and set mesh.unwrap = true"
 INTERPRETERS = {"kernel": kernel, "arrays": arrays}
 
 
@@ -46,10 +48,6 @@ def render(
     if interpreter not in INTERPRETERS:
         raise SceneError(f"interpreter: expected one of {', '.join(INTERPRETERS)}, got {interpreter!r}")
     method = method_of(scene.settings)
-    if any(isinstance(one.draw, MeshDraw) and one.draw.layout for one in method.passes) and scene.mesh.uvs is None:
-        raise MeshError(
-            f"{scene.mesh.name}: expected UVs, which the {method.name} method needs, got none; unwrap the mesh"
-        )
     with _pool(threads) as pool:
         rendering = Rendering(scene, INTERPRETERS[interpreter], pool, _kept(method, keep))
         needed = method.only(rendering.kept)
@@ -153,19 +151,17 @@ class Rendering:
     def layout(self, primitives: Primitives, viewport: Viewport, first: np.ndarray) -> np.ndarray:
         """The piece of each texel of a UV layout, by the scene's policy for texels that several triangles cover."""
         if not (first >= 0).any():
-            raise MeshError(
-                f"{self.scene.mesh.name}: expected UVs inside 0 to 1, got none that cover a texel; unwrap it"
-            )
+            came = "none that cover a texel"
+            raise MeshError(told(self.scene.mesh.name, "UVs inside 0 to 1", came, OTHER_UVS))
         last, _ = visibility(primitives, viewport, self.pool, later_wins=True)
         overlapping = int((first != last).sum())
         policy = self.scene.settings.irradiance_map.overlap
         if overlapping and policy == "error":
             row, column = np.argwhere(first != last)[0]
             pair = primitives.triangle[[first[row, column], last[row, column]]].tolist()
-            raise MeshError(
-                f"{self.scene.mesh.name}: expected UVs without overlap, got {overlapping} texels covered twice or "
-                f'more, triangles {pair[0]} and {pair[1]} among them; unwrap it or set irradiance_map.overlap = "first"'
-            )
+            came = f"{overlapping} texels covered twice or more, triangles {pair[0]} and {pair[1]} among them"
+            remedy = f'set irradiance_map.overlap = "first", or {OTHER_UVS}'
+            raise MeshError(told(self.scene.mesh.name, "UVs without overlap", came, remedy))
         if overlapping:
             share = f"{overlapping} of {int((first >= 0).sum())}"
             self.notes.append(

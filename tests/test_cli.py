@@ -280,7 +280,7 @@ def test_info_of_a_file_and_of_a_shipped_mesh(data_folder, capsys):
         "unit": "not in the file; the scene's mesh.scale and mm_per_unit say it",
         "normals": "computed, weighted by area",
         "watertight": "yes",
-        "UVs": "none: no texture-space method",
+        "UVs": "none; for the texture-space method set mesh.unwrap = true",
     }
 
 

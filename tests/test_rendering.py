@@ -2,10 +2,9 @@ import hashlib
 
 import numpy as np
 import pytest
-from scenes import around, cube, settings_with, written
+from scenes import around, cube, written
 
 from sss_ref.errors import RenderError, SceneError
-from sss_ref.methods.catalogue import method_of
 from sss_ref.rendering import render
 from sss_ref.result import buffer_hash
 from sss_ref.scene.load import load_scene
@@ -124,15 +123,3 @@ def test_a_hash_is_over_name_type_size_and_little_endian_data(buffer, head):
 
 def test_the_sign_of_zero_is_part_of_a_hash():
     assert buffer_hash("name", np.float32([[0.0]])) != buffer_hash("name", np.float32([[-0.0]]))
-
-
-def test_the_memory_limit_counts_every_buffer():
-    from sss_ref.interpret.work import CHANNELS, dtype_of
-    from sss_ref.scene.settings import CAMERA_BYTES, SHADOW_BYTES
-
-    method = method_of(settings_with({}))
-    sizes = {"camera": 0, "shadow_map": 0}
-    for one in method.passes:
-        kinds = [] if one.on_demand else one.outputs.values()
-        sizes[one.target] += sum(CHANNELS[kind] * dtype_of(kind).itemsize for kind in kinds)
-    assert sizes == {"camera": CAMERA_BYTES, "shadow_map": SHADOW_BYTES}

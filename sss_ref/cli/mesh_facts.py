@@ -10,6 +10,8 @@ from sss_ref.scene.uv_facts import UvFacts, uv_facts
 Point = tuple[float, float, float]
 Row = tuple[str, str]
 
+NO_UVS = "none; for the texture-space method set mesh.unwrap = true"
+
 
 @dataclass(frozen=True)
 class MeshFacts:
@@ -36,7 +38,7 @@ class MeshFacts:
         yield "unit", "not in the file; the scene's mesh.scale and mm_per_unit say it"
         yield "normals", "from the file" if self.normals == "file" else "computed, weighted by area"
         yield "watertight", "yes" if self.watertight else "no: inside and outside are not known"
-        yield from _uv_rows(self.uv, self.triangles) if self.uv else [("UVs", "none: no texture-space method")]
+        yield from _uv_rows(self.uv, self.triangles) if self.uv else [("UVs", NO_UVS)]
         yield from (("note", note) for note in self.notes)
 
 

@@ -20,9 +20,8 @@ def albedo_of(settings: MeshSettings, mesh: Mesh, folder: Path) -> dict[str, NDA
     """
     if settings.albedo == "texture":
         if mesh.uvs is None:
-            raise SceneError(
-                f"expected a mesh with UVs, got {mesh.name} without; remove the texture or unwrap the mesh"
-            )
+            remedy = "give the mesh it was painted for, or set mesh.unwrap = true if any UVs will do"
+            raise SceneError(f"expected a mesh with UVs, got {mesh.name} without; {remedy}")
         return {"albedo_map": load_texture(folder / str(settings.texture))}
     if settings.albedo == "material":
         return {"material_color": _material_colors(mesh), "triangle_material": mesh.material}
@@ -30,7 +29,9 @@ def albedo_of(settings: MeshSettings, mesh: Mesh, folder: Path) -> dict[str, NDA
 
 
 def albedo_warnings(settings: MeshSettings, mesh: Mesh) -> list[str]:
-    """What a user who asks for the file's colours may miss in the picture."""
+    """What a user who asks for the file's colours may miss in the picture, and what a texture may look like."""
+    if settings.texture is not None and mesh.charts:
+        return ["mesh: the texture follows UVs that mesh.unwrap made, not those it was painted for"]
     named = [material.name for material in mesh.materials if material.textured]
     if settings.albedo != "material" or not named:
         return []

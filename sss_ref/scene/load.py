@@ -18,6 +18,7 @@ from sss_ref.scene.quantities import FLOAT32_OVERFLOW
 from sss_ref.scene.settings import SceneFile, ShadowMap
 from sss_ref.scene.shipped import find_mesh
 from sss_ref.scene.topology import is_inside, is_watertight
+from sss_ref.scene.unwrap import unwrapped
 from sss_ref.scene.validation import Document, opened, validated
 from sss_ref.scene.viewpoints import Camera, LightSettings
 from sss_ref.scene.views import Light, View, camera_view, light_of
@@ -55,7 +56,8 @@ def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any], /, **overrides
     settings = validated(document, overrides)
     path = find_mesh(settings.mesh.path, document.folder)
     assert path is not None  # validation found it
-    return _assembled(settings, document, load_mesh(path))
+    mesh = load_mesh(path)
+    return _assembled(settings, document, unwrapped(mesh) if settings.mesh.unwrap else mesh)
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,12 +91,13 @@ def _assembled(settings: SceneFile, document: Document, mesh: Mesh) -> Scene:
     surface = _Surface(mesh, placement(*map(np.array, (place.scale, place.rotate_degrees, place.translate))))
     steps: dict[str, Callable[[], Any]] = {
         "mesh": partial(_check_extent, surface),
+        "method": partial(_check_uvs, settings.method, mesh),
         f"mesh.{'color' if place.texture is None else 'texture'}": partial(albedo_of, place, mesh, document.folder),
         "camera": partial(_placed_camera, settings.camera, surface),
     }
     for number, light in enumerate(settings.lights):
         steps[f"lights[{number}]"] = partial(_placed_light, light, settings.shadow_map, surface)
-    _, albedo, camera, *fits = _gathered(document.source, steps)
+    _, _, albedo, camera, *fits = _gathered(document.source, steps)
     resolved = settings.model_copy(update={"lights": tuple(light for light, _ in fits)})
     lights = tuple(light for _, light in fits)
     return Scene(
@@ -126,6 +129,11 @@ def _check_extent(surface: _Surface) -> None:
     reach = float(np.abs(surface.points).max())
     if reach >= FLOAT32_OVERFLOW:
         raise SceneError(f"expected world positions that fit float32, got {reach:g}; choose a smaller scale")
+
+
+def _check_uvs(method: str, mesh: Mesh) -> None:
+    if method == "texture_space" and mesh.uvs is None:
+        raise SceneError(f"expected a mesh with UVs, got {mesh.name} without; set mesh.unwrap = true")
 
 
 def _placed_camera(camera: Camera, surface: _Surface) -> View:

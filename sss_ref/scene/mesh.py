@@ -45,6 +45,7 @@ class Mesh:
     materials: tuple[Material, ...]
     normals_source: Literal["file", "computed"]
     shifted: int = 0  # triangles whose UVs were moved into the unit square
+    charts: int = 0  # of UVs that `unwrap` made; 0 for the file's own
     notes: tuple[str, ...] = ()  # what of the file was changed or not used, and why
 
     def hashes(self) -> dict[str, str]:
@@ -95,7 +96,7 @@ def load_mesh(path: Path) -> Mesh:
         materials,
         source,
         tiled.shifted,
-        uv_notes + normal_notes + tiled.notes,
+        notes=uv_notes + normal_notes + tiled.notes,
     )
 
 

@@ -35,6 +35,12 @@ def unmet(expected: str, remedy: str) -> PydanticCustomError:
     return PydanticCustomError("unmet", "expected {expected}; {remedy}", {"expected": expected, "remedy": remedy})
 
 
+def unmet_at(key: KeyPath, expected: str, came: str, remedy: str) -> PydanticCustomError:
+    """The error of a validator that has found a problem of several keys together: told under the one that is given."""
+    context = {"key": key, "expected": expected, "came": came, "remedy": remedy}
+    return PydanticCustomError("unmet", "expected {expected}, got {came}; {remedy}", context)
+
+
 def told(where: str, expected: str, came: str, remedy: str) -> str:
     """One problem as the user reads it."""
     return f"{where}: expected {expected}, got {came}; {remedy}"
@@ -45,11 +51,12 @@ def described(error: ErrorDetails, known: Iterable[str]) -> tuple[KeyPath, str]:
 
     known: the keys of the table the error is in, for the nearest name of an unknown one.
     """
-    path = key_path(error["loc"])
+    context = error.get("ctx", {})
+    path = context.get("key") or key_path(error["loc"])
     if error["type"] == "extra_forbidden":
         return path, told(written(path), "a known key", "this one", _nearest(str(path[-1]), known))
     expected, remedy = _expectation(error)
-    came = "nothing" if error["type"] == "missing" else shown(error["input"])
+    came = "nothing" if error["type"] == "missing" else context.get("came") or shown(error["input"])
     return path, told(written(path), expected, came, remedy)
 
 

@@ -10,6 +10,7 @@ from typing import Annotated, Literal
 from pydantic import Discriminator, Field, Tag, ValidationInfo, field_validator
 
 from sss_ref.scene.kernels import KERNELS, Tap, channel_sums, normalized
+from sss_ref.scene.memory import check_memory
 from sss_ref.scene.problems import unmet
 from sss_ref.scene.quantities import (
     LARGEST_SIZE,
@@ -28,11 +29,8 @@ from sss_ref.scene.quantities import (
     requiring,
 )
 from sss_ref.scene.shipped import find_mesh, mesh_names
+from sss_ref.scene.textures import texture_size
 from sss_ref.scene.viewpoints import Camera, LightSettings
-
-MEMORY_LIMIT = 4 * 2**30  # bytes of all buffers of one rendering
-CAMERA_BYTES = 147  # per pixel, all buffers of the camera, blur and composite passes together
-SHADOW_BYTES = 12  # per texel: light_distance, light_depth, light_triangle
 
 KernelName = Annotated[Literal["table1", "hbh09", "schoenberger"], Tag("name")]
 KernelTable = Annotated[tuple[TapRow, ...], Field(strict=False), requiring(len, "at least one row"), Tag("table")]
@@ -59,6 +57,8 @@ class MeshSettings(Table):
     """Albedo, linear RGB; "material": of each triangle the colour of its material in the mesh file."""
     texture: str | None = None
     """Albedo from a PNG or JPEG file, sRGB, relative to the scene file. It replaces color and repeats beyond 0..1."""
+    unwrap: bool = False
+    """Compute UVs where the mesh has none; needs the extra `unwrap`."""
 
     @property
     def albedo(self) -> Literal["texture", "material", "constant"]:
@@ -216,16 +216,12 @@ class SceneFile(Table):
     irradiance_map: IrradianceMap
     output: Output = Output()
 
-    @field_validator("shadow_map")
+    @field_validator("output")  # the last table, so that all others are known
     @classmethod
-    def _fits_memory(cls, shadow_map: ShadowMap, info: ValidationInfo) -> ShadowMap:
-        camera = info.data.get("camera")
-        pixels = camera.width * camera.height if camera else 0
-        size = CAMERA_BYTES * pixels + SHADOW_BYTES * shadow_map.width * shadow_map.height
-        if size > MEMORY_LIMIT:
-            expected = f"buffers of at most 4 GiB together with the camera's (these need {size / 2**30:.1f} GiB)"
-            raise unmet(expected, "make the camera's or the shadow map's width and height smaller")
-        return shadow_map
+    def _fits_memory(cls, output: Output, info: ValidationInfo) -> Output:
+        texture = info.data["mesh"].texture if "mesh" in info.data else None
+        check_memory(info.data, texture_size(info.context["folder"] / texture) if info.context and texture else (0, 0))
+        return output
 
 
 def _rows(kernel: str | tuple[Tap, ...]) -> tuple[Tap, ...]:

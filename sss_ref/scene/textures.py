@@ -1,6 +1,8 @@
 """Colour textures: 8-bit sRGB pictures, decoded to linear float32 by a table."""
 
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -25,21 +27,25 @@ def load_texture(path: Path) -> FloatArray:
     SceneError for anything else, for a side of more than 16384 texels, and for what Pillow takes for a bomb (more
     than 178 million texels).
     """
-    from PIL import Image
-
     try:
-        with warnings.catch_warnings(), path.open("rb") as file:
-            warnings.simplefilter("ignore")
-            depth = file.read(PNG_DEPTH.stop)[PNG_DEPTH]
-            with Image.open(file, formats=("PNG", "JPEG")) as image:
-                _check(image, depth)
-                codes = np.asarray(image.convert("RGB"))
+        with _opened(path) as (image, depth):
+            _check(image, depth)
+            codes = np.asarray(image.convert("RGB"))
     except SceneError:
         raise
     except Exception as error:  # whatever a broken picture makes Pillow raise
         reason = f"one that cannot be read ({type(error).__name__}: {error})".splitlines()[0]
         raise SceneError(f"expected a PNG or JPEG picture, got {reason}; export it again") from None
     return srgb_decoded()[codes[::-1]]
+
+
+def texture_size(path: Path) -> tuple[int, int]:
+    """Width and height that a picture declares; 0, 0 where it declares none, which `load_texture` will refuse."""
+    try:
+        with _opened(path) as (image, _):
+            return image.size
+    except Exception:  # whatever a broken picture makes Pillow raise
+        return 0, 0
 
 
 @cache
@@ -49,6 +55,18 @@ def srgb_decoded() -> FloatArray:
     c/12.92 up to c = 0.04045, then ((c + 0.055)/1.055)^2.4, with c = code/255 (IEC 61966-2-1).
     """
     return np.array([_decoded(code) for code in range(256)], np.float32)
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[tuple[Any, bytes]]:
+    """A picture of which only the header was read, and the byte where PNG has its depth."""
+    from PIL import Image
+
+    with warnings.catch_warnings(), path.open("rb") as file:
+        warnings.simplefilter("ignore")
+        depth = file.read(PNG_DEPTH.stop)[PNG_DEPTH]
+        with Image.open(file, formats=("PNG", "JPEG")) as image:
+            yield image, depth
 
 
 def _decoded(code: int) -> float:

@@ -35,7 +35,7 @@ class UvFacts:
 def uv_facts(mesh: Mesh) -> UvFacts:
     """The facts of a mesh that has UVs; raises MeshError for one that has none."""
     if mesh.uvs is None:
-        raise MeshError(f"{mesh.name}: expected UVs, got none; unwrap the mesh")
+        raise MeshError(f"{mesh.name}: expected UVs, got none; set mesh.unwrap = true in the scene")
     used = mesh.uvs[np.unique(mesh.triangles)]
     signs = area_signs(mesh.uvs[mesh.triangles])
     return UvFacts(

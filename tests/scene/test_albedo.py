@@ -76,7 +76,7 @@ def test_textures_inside_the_file_are_told_of(asset, small):
 def test_texture_on_a_mesh_without_uvs(small, textured, tmp_path):
     assert refusal(small, **{"mesh.texture": str(tmp_path / "a.png")}) == (
         "scene: mesh.texture: expected a mesh with UVs, got tetrahedron.obj without; "
-        "remove the texture or unwrap the mesh"
+        "give the mesh it was painted for, or set mesh.unwrap = true if any UVs will do"
     )
 
 

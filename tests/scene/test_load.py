@@ -104,6 +104,13 @@ def test_world_beyond_float32(small):
     )
 
 
+def test_texture_space_without_uvs_is_told_with_the_rest(small):
+    wrong = {"mesh.color": "material", "camera.near": 2e38, "camera.far": 3e38}
+    lines = problems(small, method="texture_space", **wrong)
+    assert [line.split(": expected")[0] for line in lines] == ["scene: method", "scene: mesh.color", "scene: camera"]
+    assert lines[0] == ("scene: method: expected a mesh with UVs, got tetrahedron.obj without; set mesh.unwrap = true")
+
+
 def test_projection_beyond_float32(small):
     (line,) = problems(small, **{"camera.near": 2e38, "camera.far": 3e38})
     assert line == (

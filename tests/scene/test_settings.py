@@ -16,6 +16,7 @@ COMMON = {
         "translate": (0.0, 0.0, 0.0),
         "color": (0.7, 0.4, 0.4),
         "texture": None,
+        "unwrap": False,
     },
     "camera": {
         "type": "orbit",

@@ -76,7 +76,7 @@ def test_signs_that_float64_gets_wrong():
 def test_no_uvs(tmp_path):
     path = tmp_path / "a.obj"
     path.write_text(SQUARE + "f 1 2 3\n")
-    with pytest.raises(MeshError, match=r"^a\.obj: expected UVs, got none; unwrap the mesh$"):
+    with pytest.raises(MeshError, match=r"^a\.obj: expected UVs, got none; set mesh\.unwrap = true in the scene$"):
         uv_facts(load_mesh(path))
 
 

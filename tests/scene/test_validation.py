@@ -34,6 +34,7 @@ WRONG = [
         "a.png",
         'expected a PNG or JPEG file, got "a.png"; check the path, which starts at the scene file',
     ),
+    ("mesh.unwrap", 1, "expected true or false, got 1; write it without quotes"),
     ("mesh.color", "red", 'expected "material", got "red"; choose one of these'),
     ("mesh.colour", 1, "expected a known key, got this one; did you mean color?"),
     ("mesh.scale", 0, f"expected factors that are not zero, got 0; {ANOTHER}"),
@@ -185,20 +186,6 @@ def test_unknown_camera_type(small):
         'override: camera: expected a type "orbit", "look_at", "free", '
         'got {"type": "orbital", "distance": 5}; choose one of these'
     ]
-
-
-def test_memory_limit(small):
-    small["shadow_map"] = {"width": 1024, "height": 1024}
-    small["camera"].update(width=8192, height=8192)
-    assert problems(small) == [
-        "scene: shadow_map: expected buffers of at most 4 GiB together with the camera's (these need 9.2 GiB), "
-        'got {"width": 1024, "height": 1024}; make the camera\'s or the shadow map\'s width and height smaller'
-    ]
-    # (4 * 2^30 - 12 * 2^20) / 147 = 29131866.6 pixels, between 5397 * 5397 and 5397 * 5398.
-    small["camera"].update(width=5397, height=5398)
-    assert problems(small)
-    small["camera"].update(height=5397)
-    assert load_scene(small).camera.height == 5397
 
 
 def test_normalizing_a_kernel_without_weight(small):

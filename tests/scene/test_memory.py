@@ -1,0 +1,84 @@
+"""What a scene needs is known from its file, truthfully, and too much is refused before any work."""
+
+import pytest
+from PIL import Image
+from scenes import settings_with
+
+from sss_ref.errors import SceneError
+from sss_ref.interpret.work import CHANNELS, dtype_of
+from sss_ref.methods.catalogue import METHODS, method_of
+from sss_ref.scene import load_scene, textures
+from sss_ref.scene.memory import BUFFER_BYTES, bytes_per_pixel
+
+
+def problems(scene, **overrides):
+    with pytest.raises(SceneError) as error:
+        load_scene(scene, **overrides)
+    return str(error.value).split("\n")
+
+
+@pytest.mark.parametrize("lights", range(1, 17))
+@pytest.mark.parametrize("method", METHODS)
+def test_every_buffer_counts(method, lights):
+    settings = settings_with({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * lights})
+    written = dict.fromkeys(BUFFER_BYTES[method], 0)
+    for one in method_of(settings).passes:
+        kinds = [] if one.on_demand else one.outputs.values()
+        written[one.target] += sum(CHANNELS[kind] * dtype_of(kind).itemsize for kind in kinds)
+    assert written == {table: bytes_per_pixel(method, table, lights) for table in written}
+
+
+LIGHTS = [{"position": [0, 0, 9]}] * 16
+# 2^30 bytes are 1 GiB; the sums are worked by hand from the table of bytes. The textured mesh has UVs.
+TOO_MUCH = {
+    "camera": (  # 147 * 2^26 + 12 * 2^20
+        {"camera.width": 8192, "camera.height": 8192},
+        "camera: expected at most 4 GiB of buffers and textures, got 9.20 GiB, 9.19 GiB of them here; "
+        "make width and height smaller",
+    ),
+    "shadow maps": (  # 1029 * 2^16 + 16 * 12 * 2^25
+        {"lights": LIGHTS, "shadow_map": {"width": 8192, "height": 4096}},
+        "shadow_map: expected at most 4 GiB of buffers and textures, got 6.06 GiB, 6.00 GiB of them here; "
+        "make width and height smaller or use fewer lights",
+    ),
+    "irradiance maps": (  # 1145 * 2^16 + 320 * 2^20 + (1 + 16 * 37) * 2^24
+        {"method": "texture_space", "lights": LIGHTS, "irradiance_map.width": 4096, "irradiance_map.height": 4096},
+        "irradiance_map: expected at most 4 GiB of buffers and textures, got 9.65 GiB, 9.27 GiB of them here; "
+        "make width and height smaller or use fewer lights",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", TOO_MUCH)
+def test_the_largest_part_is_named(small, case):
+    small["camera"].update(width=256, height=256)
+    small["shadow_map"] = {"width": 1024, "height": 1024}
+    overrides, message = TOO_MUCH[case]
+    assert problems(small, **overrides) == [f"override: {message}"]
+
+
+def test_up_to_the_last_pixel(small):
+    small["shadow_map"] = {"width": 1024, "height": 1024}
+    # (4 * 2^30 - 12 * 2^20) / 147 = 29131866.6 pixels, between 5397 * 5397 and 5397 * 5398.
+    small["camera"].update(width=5397, height=5398)
+    assert problems(small)
+    small["camera"].update(height=5397)
+    assert load_scene(small).camera.height == 5397
+
+
+def test_a_texture_counts_by_what_it_declares(small, tmp_path, monkeypatch):
+    Image.new("1", (16384, 10000)).save(tmp_path / "a.png")
+    monkeypatch.setattr(textures, "srgb_decoded", None)  # nothing is decoded
+    small["mesh"]["texture"] = str(tmp_path / "a.png")
+    # 12 * 16384 * 10000 + 147 * 3 * 2^22 + 12 * 2^26
+    small["shadow_map"] = {"width": 8192, "height": 8192}
+    small["camera"].update(width=4096, height=3072)
+    assert problems(small) == [
+        "scene: mesh.texture: expected at most 4 GiB of buffers and textures, "
+        "got 4.30 GiB, 1.83 GiB of them here; scale the picture down"
+    ]
+
+
+def test_too_much_is_told_with_all_other_problems(small):
+    lines = problems(small, **{"camera.width": 16384, "camera.height": 16384, "phong.shininess": 0})
+    assert [line.split(": expected")[0] for line in lines] == ["override: phong.shininess", "override: camera"]
