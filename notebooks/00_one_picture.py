@@ -21,7 +21,7 @@ import numpy as np
 import sss_ref
 
 small = {f"{table}.{side}": 192 for table in ("camera", "shadow_map") for side in ("width", "height")}
-scene = sss_ref.load_scene("default", **small)
+scene = sss_ref.load_scene("figure3_with", **small)
 result = sss_ref.render(scene)
 {name: buffer.shape for name, buffer in result.buffers.items()}
 

@@ -1,6 +1,6 @@
 """The CPU reference for real-time subsurface scattering: every shader stage of the paper, bit for bit.
 
-    scene = sss_ref.load_scene("default", preset="robust")
+    scene = sss_ref.load_scene("figure3_with")
     result = sss_ref.render(scene)
     result["thickness"], result.image, result.hashes
     result.save("out")

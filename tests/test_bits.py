@@ -30,11 +30,15 @@ SETTINGS = {
 }
 
 
-@pytest.fixture(scope="module")
-def scene(tmp_path_factory):
+METHODS = ("screen_space", "texture_space")
+
+
+@pytest.fixture(scope="module", params=METHODS)
+def scene(request, tmp_path_factory):
     """Every kind of arithmetic in one small scene: pow with a varying base, the shadow test, a masked blur."""
     path = written(tmp_path_factory.mktemp("sphere") / "sphere.obj", *sphere(16))
-    return around(path, size=64, preset="robust")
+    irradiance_map = {"width": 64, "height": 64}
+    return around(path, size=64, method=request.param, preset="robust", irradiance_map=irradiance_map)
 
 
 @pytest.fixture(scope="module")

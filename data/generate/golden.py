@@ -1,6 +1,7 @@
 """Writes data/golden.json: the hashes that every machine must find. Run it only when bits are meant to move.
 
-Every shipped scene in every preset, 128^2 pixels and texels, all buffers.
+Every shipped scene in every preset, 128^2 pixels and texels, all buffers. Preset `published` overrules what a scene has of
+its own where its passes are fixed; scenes with several lights, which it does not allow, are left out there.
 """
 
 import json
@@ -9,7 +10,7 @@ from pathlib import Path
 import sss_ref
 from sss_ref.rules import RULES_VERSION
 from sss_ref.scene import scene_names
-from sss_ref.scene.presets import PRESETS
+from sss_ref.scene.presets import FIXED
 
 GOLDEN = Path(__file__).parents[1] / "golden.json"
 SMALL = {f"{table}.{side}": 128 for table in ("camera", "shadow_map") for side in ("width", "height")}
@@ -19,8 +20,13 @@ def hashes() -> dict[str, dict[str, str]]:
     """Scene and preset -> buffer -> SHA-256."""
     made = {}
     for scene in scene_names():
-        for preset in PRESETS:
-            made[f"{scene} {preset}"] = sss_ref.render(sss_ref.load_scene(scene, preset=preset, **SMALL)).hashes
+        presets = {"paper": {}, "robust": {}, "published": FIXED}
+        if len(sss_ref.load_scene(scene, **SMALL).settings.lights) > 1:
+            del presets["published"]
+        for preset, fixed in presets.items():
+            made[f"{scene} {preset}"] = sss_ref.render(
+                sss_ref.load_scene(scene, preset=preset, **SMALL, **fixed)
+            ).hashes
     return made
 
 

@@ -13,6 +13,9 @@ from export import write
 MESHES = Path(__file__).parents[1] / "meshes"
 SHEET_ARC = np.pi / 2  # radians that the sheet arches over
 SHEET_STRETCH = 2  # its u is the square of the way along the arc: the outermost columns of quads differ 1 : 95
+SHEET_TOP = 0.94  # of v; above it lie the charts of the slats
+SLATS = np.linspace(-0.84, 0.84, 8)  # middles, x
+SLAT_WIDTH = 0.12
 
 # Radius and height of the mushroom's rings: foot, gills, cap.
 MUSHROOM = np.array([(0, -0.95), (0.4, -0.95), (0.27, 0.06), (1, -0.1), (0.68, 0.45), (0, 0.7)])
@@ -47,12 +50,37 @@ def torus() -> trimesh.Trimesh:
 
 
 def stretched_plane() -> trimesh.Trimesh:
-    """A sheet 2 high, arched to +Z; its left end has hardly any room in the UV map, its right end too much."""
+    """A sheet 2 high, arched to +Z; its left end has hardly any room in the UV map, its right end too much.
+
+    Even slats run to +Z above it, so that a high light draws stripes, all equally sharp, down the sheet.
+    """
     u, v = unit_square(48, 24)
     angle = (u - 0.5) * SHEET_ARC
     normals = np.stack(np.broadcast_arrays(np.sin(angle), 0 * v, np.cos(angle)), -1)
     points = normals * np.sqrt(2) + np.stack(np.broadcast_arrays(0 * u, 2 * v - 1, 0 * u - 1.2), -1)
-    return smooth(points, normals, u**SHEET_STRETCH, v)
+    sheet = smooth(points, normals, u**SHEET_STRETCH, v * SHEET_TOP)
+    return together([sheet, *(slat(x, number / len(SLATS)) for number, x in enumerate(SLATS))])
+
+
+def slat(middle: float, first_u: float) -> trimesh.Trimesh:
+    """A level strip above the sheet, from its plane to +Z."""
+    u, v = unit_square(1, 1)
+    x, z = middle + (u - 0.5) * SLAT_WIDTH, 1.7 * (1 - v)
+    points = np.stack(np.broadcast_arrays(x, 1.3, z), -1)
+    up = np.broadcast_to([0.0, 1.0, 0.0], points.shape)
+    return smooth(points, up, first_u + 0.02 + 0.08 * u, SHEET_TOP + 0.02 + 0.03 * v)
+
+
+def together(parts: list[trimesh.Trimesh]) -> trimesh.Trimesh:
+    """Several meshes as one."""
+    first = np.cumsum([0, *(len(part.vertices) for part in parts)])
+    return trimesh.Trimesh(
+        np.concatenate([part.vertices for part in parts]),
+        np.concatenate([part.faces + start for part, start in zip(parts, first[:-1], strict=True)]),
+        vertex_normals=np.concatenate([part.vertex_normals for part in parts]),
+        visual=trimesh.visual.TextureVisuals(uv=np.concatenate([part.visual.uv for part in parts])),
+        process=False,
+    )
 
 
 def teaching() -> trimesh.Trimesh:

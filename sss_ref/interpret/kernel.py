@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 from sss_ref.compiled import cache_folder
+from sss_ref.interpret.canonical import canonical_names, canonical_work, renamed
 from sss_ref.interpret.source import fragment_source, loose, packed, vertex_reads, vertex_source
 from sss_ref.interpret.work import FLOAT32, Work
 from sss_ref.language.pipeline import MESH_ATTRIBUTES, MeshDraw, Pass
@@ -41,12 +42,15 @@ def run_vertices(
     reads = vertex_reads(one.draw)
     loosely = [(mesh if name in MESH_ATTRIBUTES else uniforms)[name] for name in loose(reads, MESH_ATTRIBUTES)]
     given = [_pack(reads, MESH_ATTRIBUTES, uniforms), *loosely]
-    _imported(vertex_source(one, varyings), f"{one.name}_vertices").vertices(*given, clip_position, attributes)
+    canonical = renamed(one, canonical_names(one))
+    module = _imported(vertex_source(canonical, varyings), f"{canonical.name}_vertices")
+    module.vertices(*given, clip_position, attributes)
     return clip_position, attributes
 
 
 def run_fragments(work: Work, pool: Executor | None) -> None:
     """Run the stages of a pass on all its fragments and fill its outputs, by bands of rows over the pool."""
+    work = canonical_work(work)
     fragments, one = work.fragments, work.one
     source = fragment_source(one, work.buffers, work.outputs, fragments.varyings)
     module = _imported(source, f"{one.name}_fragments")

@@ -1,0 +1,45 @@
+"""One module for all lights: a pass whose names all carry the same number is compiled without it.
+
+With several lights, what belongs to a light has its number behind its name (light_distance_2); a shadow map of light 2
+and of the only light differ in nothing else. Written with the same names they are the same source, compiled once.
+"""
+
+import re
+from collections.abc import Callable
+from dataclasses import replace
+
+from sss_ref.interpret.work import Work
+from sss_ref.language.pipeline import MeshDraw, Pass
+
+NUMBER = re.compile(r"_\d+$")
+
+
+def canonical_work(work: Work) -> Work:
+    """The same work, and the same arrays, under the canonical names of its pass."""
+    rename = canonical_names(work.one)
+    reads = work.one.reads
+    return replace(
+        work,
+        one=renamed(work.one, rename),
+        uniforms={rename(name): work.uniforms[name] for name in reads if name not in work.buffers},
+        buffers={rename(name): work.buffers[name] for name in reads if name in work.buffers},
+        outputs={rename(name): buffer for name, buffer in work.outputs.items()},
+        backgrounds={rename(name): value for name, value in work.backgrounds.items()},
+    )
+
+
+def canonical_names(one: Pass) -> Callable[[str], str]:
+    """The renaming that drops the number of a pass's names if all have the same one and none is taken without it."""
+    names = {one.name, *one.reads, *one.values}
+    numbers = {number for name in names for number in NUMBER.findall(name)}
+    shared = numbers.pop() if len(numbers) == 1 else ""
+    taken = any(name + shared in names for name in names)
+    return lambda name: name if taken else name.removesuffix(shared)
+
+
+def renamed(one: Pass, rename: Callable[[str], str]) -> Pass:
+    """The pass with every name that its source mentions replaced."""
+    draw = one.draw
+    if isinstance(draw, MeshDraw):
+        draw = replace(draw, vertex=draw.vertex.renamed(rename), triangle=rename(draw.triangle))
+    return replace(one, name=rename(one.name), draw=draw, stages=tuple(stage.renamed(rename) for stage in one.stages))
