@@ -1,7 +1,7 @@
 """Writes data/golden.json: the hashes that every machine must find. Run it only when bits are meant to move.
 
-Every shipped scene in every preset, 128^2 pixels and texels, all buffers. Preset `published` overrules what a scene has of
-its own where its passes are fixed; scenes with several lights, which it does not allow, are left out there.
+Every shipped scene in every preset, 128^2 pixels and texels, all buffers. Preset `published` overrules what a scene has
+of its own where its passes are fixed; scenes with several lights, which it does not allow, are left out there.
 """
 
 import json

@@ -1,8 +1,7 @@
 """The memory that a rendering takes, known from the scene file alone, before any work.
 
-Counted is what lasts: every buffer of the method, as keep="all" holds them (in preset `published` there are a few less),
-and the decoded texture. What a pass needs
-while it runs comes on top, at most half as much again.
+Counted is what lasts: every buffer of the method, as keep="all" holds them, and the decoded texture (preset `published`
+has a few buffers less). What a pass needs while it runs comes on top, at most half as much again.
 """
 
 from collections.abc import Mapping
