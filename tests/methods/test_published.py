@@ -38,6 +38,18 @@ def test_both_interpreters_give_the_same_bits_of_every_buffer(bodies, method, na
 
 
 @pytest.mark.parametrize("method", ["screen_space", "texture_space"])
+@pytest.mark.parametrize(
+    ("path", "distance"), [("head_lps/leeperrysmith.obj", 15.0), ("spot/spot_triangulated.obj", 3.4)]
+)
+def test_both_interpreters_give_the_same_bits_on_scanned_meshes(asset, path, distance, method):
+    lights = [{"position": [3 * distance, distance, 0.0]}]
+    scene = scene_of(str(asset(path)), method, lights=lights, **{"camera.distance": distance})
+    result = render(scene)
+    assert result.hashes == render(scene, interpreter="arrays").hashes
+    assert len(np.unique(result["triangle"])) > 200
+
+
+@pytest.mark.parametrize("method", ["screen_space", "texture_space"])
 def test_targets_hold_bytes_and_are_cleared_to_0(bodies, method):
     result = render(scene_of(bodies["sphere"], method), interpreter="arrays")
     limits = {"light_distance": result["light_triangle"] < 0, "lit": result["coverage"] == 0}

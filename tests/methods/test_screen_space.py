@@ -114,7 +114,7 @@ def test_both_interpreters_give_the_same_bits(bodies, body, case):
     assert (lit & covered).any() and (~lit & valid & covered).any() and not covered.all()
 
 
-@pytest.mark.parametrize("preset", ["paper", "robust", "published"])
+@pytest.mark.parametrize("preset", ["paper", "robust"])
 @pytest.mark.parametrize(
     ("path", "distance"),
     [("head_lps/leeperrysmith.obj", 15.0), ("spot/spot_triangulated.obj", 3.4), ("bunny/bunny_hr.obj", 3.4)],
@@ -146,7 +146,8 @@ def test_the_cases_hold_every_alternative_of_the_scene_file():
         "lights.0.falloff": viewpoints.LightSettings.model_fields["falloff"],
     }
     assert {key: set(get_args(field.annotation)) for key, field in alternatives.items()} == {
-        key: set(stages) for key, stages in CHOICES.items()
+        key: set(stages) | ({"exact"} if key == "shadow_map.test" else set())  # that of preset `published`
+        for key, stages in CHOICES.items()
     }
     stages = set(chain.from_iterable(CHOICES[key].values() for key in CHOICES))
     used = {
