@@ -23,3 +23,7 @@ class DumpError(SssRefError):
 
 class StageError(SssRefError):
     """A function is not in the shader language; the message names file, line and rule."""
+
+
+class ShaderError(SssRefError):
+    """There is no OpenGL, or a shader does not compile, or does not fit its pass."""

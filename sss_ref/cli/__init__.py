@@ -8,6 +8,7 @@ from sss_ref.cli.console import BAD_INPUT, err
 from sss_ref.cli.explaining import explain
 from sss_ref.cli.listing import info, scenes
 from sss_ref.cli.rendering import render, warmup
+from sss_ref.cli.shaders import glsl
 from sss_ref.errors import SssRefError
 
 PURPOSE = "The CPU reference for real-time subsurface scattering."
@@ -20,7 +21,7 @@ def _version() -> str:
 
 
 app = App(name="sss-ref", help=PURPOSE, version=_version, result_action="return_value")
-for command in (render, verify, diff, explain, info, scenes, warmup):
+for command in (render, verify, diff, explain, glsl, info, scenes, warmup):
     app.command(command)
 
 

@@ -1,0 +1,3 @@
+"""A scene drawn by OpenGL with the shaders that its stages translate to; needs the extra `gl`, loaded when drawing."""
+
+from sss_ref.gl.drawing import draw

@@ -1,0 +1,83 @@
+"""The shaders of a pass: our own, translated from its stages, or a user's files in their place."""
+
+import re
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from sss_ref.errors import ShaderError
+from sss_ref.interpret.shader import MOST_OUTPUTS, OUT, draws, fragment_shader, vertex_shader
+from sss_ref.language.pipeline import Pass
+
+if TYPE_CHECKING:
+    from moderngl import Context, Program
+
+Files = str | PathLike[str] | Sequence[str | PathLike[str]]
+OUTPUT = re.compile(rf"layout\s*\(\s*location\s*=\s*(\d+)\s*\)\s*(?:precise\s+)?out\s+\w+\s+{OUT}(\w+)\s*;")
+
+
+@dataclass(frozen=True)
+class ShaderPair:
+    """A vertex and a fragment shader, and the buffers that the latter writes, by location; name: for messages."""
+
+    name: str
+    vertex: str
+    fragment: str
+    outputs: tuple[str, ...]
+
+    def compiled(self, context: "Context") -> "Program":
+        """The program; raises ShaderError with what the driver says."""
+        import moderngl
+
+        try:
+            return context.program(vertex_shader=self.vertex, fragment_shader=self.fragment)
+        except moderngl.Error as error:
+            raise ShaderError(f"{self.name}: expected shaders that compile and link, got {error}") from None
+
+
+def own_shaders(
+    one: Pass, buffers: Collection[str], wanted: Collection[str], lengths: Mapping[str, int]
+) -> list[ShaderPair]:
+    """The shaders of a pass, translated; the other arguments as `fragment_shader` takes them."""
+    return [
+        ShaderPair(name, vertex_shader(one, lengths), fragment_shader(one, buffers, outputs, lengths), outputs)
+        for name, outputs in draws(one, wanted).items()
+    ]
+
+
+def user_shaders(one: Pass, files: Files, lengths: Mapping[str, int]) -> list[ShaderPair]:
+    """The shaders of a pass from files: fragment shaders, and at most one vertex shader, known by its suffix .vert.
+
+    A fragment shader says what it writes: layout(location = 0) out vec3 out_lit. It reads uniforms and textures by the
+    names of the translated shaders. Raises ShaderError where a file cannot be read or writes what the pass does not.
+    """
+    paths = [Path(files)] if isinstance(files, str | PathLike) else [Path(path) for path in files]
+    texts = {path: _text(path) for path in paths}
+    vertex = [text for path, text in texts.items() if path.suffix == ".vert"] or [vertex_shader(one, lengths)]
+    fragments = {path: text for path, text in texts.items() if path.suffix != ".vert"}
+    return [ShaderPair(str(path), vertex[0], text, _outputs(one, path, text)) for path, text in fragments.items()]
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise ShaderError(f"{path}: expected GLSL source, got {error}; check the path") from None
+
+
+def _outputs(one: Pass, path: Path, text: str) -> tuple[str, ...]:
+    """The buffers that a fragment shader says it writes, by location."""
+    found = sorted((int(location), name) for location, name in OUTPUT.findall(text))
+    names = tuple(name for _, name in found)
+    listed = ", ".join(one.outputs)
+    if not found or [location for location, _ in found] != list(range(min(len(found), MOST_OUTPUTS))):
+        raise ShaderError(
+            f"{path}: expected outputs at locations 0, 1 ... of 1 to {MOST_OUTPUTS} buffers ({listed}), got "
+            f"{len(found)}; declare each as layout(location = 0) out vec3 {OUT}NAME"
+        )
+    for name in names:
+        if name not in one.outputs:
+            raise ShaderError(f"{path}: expected outputs of pass {one.name} ({listed}), got {OUT}{name}; rename it")
+    return names

@@ -1,0 +1,17 @@
+"""Stages as shader source: their typed trees translated statement by statement, with the names they have in Python.
+
+Whatever a shading language defines otherwise, or leaves open, is written out as the package defines it: min and max,
+the order of every sum, a normalize that leaves the zero vector zero. Only pow, exp, exp2 and log2 are the GPU's own.
+"""
+
+from sss_ref.interpret.shader.dialect import ARRAY_WIDTH, GLSL, Dialect
+from sss_ref.interpret.shader.library import Library, stage_source
+from sss_ref.interpret.shader.passes import (
+    MOST_OUTPUTS,
+    OUT,
+    array_lengths,
+    draws,
+    fragment_shader,
+    shader_files,
+    vertex_shader,
+)

@@ -1,0 +1,112 @@
+"""Expressions of the typed tree as text, with no more parentheses than their order needs."""
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, get_args, get_origin
+
+import numpy as np
+
+from sss_ref.language import tree
+from sss_ref.language.primitives import Primitive
+from sss_ref.language.types import Vector, mat3, mat4
+
+if TYPE_CHECKING:
+    from sss_ref.interpret.shader.library import Library
+
+CHOICE, OR, AND, EQUALITY, ORDER, SUM, PRODUCT, SIGN, ATOM = range(9)  # how tightly an operator binds
+BINDING = {
+    "|": OR,
+    "&": AND,
+    **dict.fromkeys(("==", "!="), EQUALITY),
+    **dict.fromkeys(("<", "<=", ">", ">="), ORDER),
+    **dict.fromkeys("+-", SUM),
+    **dict.fromkeys("*/", PRODUCT),
+    "neg": SIGN,
+}
+SYMBOLS = {"&": "&&", "|": "||"}
+LOADED = {bool: EQUALITY}  # a truth value in a texture is a number other than 0
+
+
+def number(kind: Any, value: float | int | bool) -> str:
+    """A literal; a float has the fewest digits that give back its float32."""
+    if kind is bool:
+        return "true" if value else "false"
+    return str(value) if kind is int else repr(float(str(np.float32(value))))
+
+
+class Expressions:
+    """Writes the expressions of one function; `lengths`: uniform array -> its length, where it is no texture."""
+
+    def __init__(self, library: "Library", lengths: Mapping[str, int]) -> None:
+        self.library, self.dialect, self.lengths = library, library.dialect, lengths
+
+    def text(self, expression: tree.Expression, least: int = CHOICE) -> str:
+        """The expression, in parentheses where it binds less than `least`."""
+        written, binding = self.written(expression)
+        return written if binding >= least else f"({written})"
+
+    def written(self, expression: tree.Expression) -> tuple[str, int]:
+        """The expression and how tightly it binds."""
+        match expression:
+            case tree.Literal(type=kind, value=value):
+                text = number(kind, value)
+                return text, SIGN if text.startswith("-") else ATOM
+            case tree.Constant():
+                return self.library.constant(expression), ATOM
+            case tree.Name(name=name):
+                return self.dialect.name(name), ATOM
+            case tree.Member(vector=vector, letters=letters):
+                return f"{self.text(vector, ATOM)}.{letters}", ATOM
+            case tree.Construct(type=kind, parts=parts):
+                return f"{self.dialect.types[kind]}({self.listed(parts)})", ATOM
+            case tree.Operation():
+                return self.operation(expression)
+            case tree.Element(array=array, index=index):
+                return self.element(array, self.text(index))
+            case tree.Call():
+                return self.call(expression)
+
+    def listed(self, expressions: tuple[tree.Expression, ...]) -> str:
+        """Expressions with commas between them."""
+        return ", ".join(map(self.text, expressions))
+
+    def operation(self, expression: tree.Operation) -> tuple[str, int]:
+        """An operation; what stands on the right of its equal needs parentheses, as operators group to the left."""
+        binding = BINDING[expression.operator]
+        first = expression.operands[0]
+        if expression.operator == "neg":
+            return f"-{self.text(first, ATOM)}", binding
+        if first.type in (mat3, mat4):
+            return f"{self.library.transform(first.type)}({self.listed(expression.operands)})", ATOM
+        symbol = SYMBOLS.get(expression.operator, expression.operator)
+        return f"{self.text(first, binding)} {symbol} {self.text(expression.operands[1], binding + 1)}", binding
+
+    def element(self, array: tree.Name, index: str) -> tuple[str, int]:
+        """One element of a uniform array."""
+        name, (kind,) = self.dialect.name(array.name), get_args(array.type)
+        if array.name in self.lengths:
+            return f"{name}[{index}]", ATOM
+        return self.dialect.looked_up(kind, name, index), LOADED.get(kind, ATOM)
+
+    def call(self, expression: tree.Call) -> tuple[str, int]:
+        """A primitive as the dialect has it; a function of the language by the name of its definition."""
+        name, arguments = expression.callee.name, expression.arguments
+        if expression.body is not None:
+            return f"{self.library.function(expression, self.lengths)}({self.listed(arguments)})", ATOM
+        if name == "select":
+            condition, if_true, if_false = arguments
+            return f"{self.text(condition, OR)} ? {self.text(if_true, OR)} : {self.text(if_false)}", CHOICE
+        if name == "texel":
+            (kind,) = get_args(arguments[0].type)
+            return self.dialect.fetched(kind, *map(self.text, arguments)), LOADED.get(kind, ATOM)
+        texts = [self.widened(argument, expression) for argument in arguments]
+        if name in self.dialect.calls:
+            return self.dialect.calls[name].format(*texts), ATOM
+        return f"{self.library.choice(name, expression.type)}({', '.join(texts)})", ATOM
+
+    def widened(self, argument: tree.Expression, call: tree.Call) -> str:
+        """An argument of a primitive; a scalar that stands beside a vector becomes one."""
+        text = self.text(argument)
+        assert isinstance(call.callee, Primitive)
+        vector = isinstance(call.type, type) and issubclass(call.type, Vector) and get_origin(argument.type) is None
+        scalar = vector and call.callee.by_component and argument.type is float
+        return f"{self.dialect.types[call.type]}({text})" if scalar else text

@@ -1,0 +1,164 @@
+"""The definitions a shader needs: constants, functions for the types they are called with, structs and stages."""
+
+import inspect
+import textwrap
+from collections.abc import Mapping
+from typing import Any, TypeVar, get_args, get_origin, get_type_hints
+
+from sss_ref.interpret.shader.dialect import GLSL, Dialect
+from sss_ref.interpret.shader.expressions import SUM, Expressions, number
+from sss_ref.language import tree
+from sss_ref.language.stage import Function, Stage
+from sss_ref.language.types import Array, Texture, Vector, mat3, vec3, vec4
+from sss_ref.language.typing_rules import element_type, type_name
+
+INDENT = "    "
+LINE_LENGTH = 120
+CHOICES = {"min": "y < x ? y : x", "max": "x < y ? y : x"}  # rule A1
+
+
+def stage_source(stage: Stage, lengths: Mapping[str, int], dialect: Dialect = GLSL) -> str:
+    """One stage as a function, with all that it uses before it; lengths: see `Library.stage`."""
+    library = Library(dialect)
+    library.stage(stage, lengths)
+    return library.text
+
+
+def result_struct(stage: Stage) -> Any:
+    """The NamedTuple whose name and fields the struct has that a stage returns."""
+    return get_type_hints(stage.python)["return"]
+
+
+def indented(lines: list[str]) -> list[str]:
+    """Lines one level further in."""
+    return [INDENT + line for line in lines]
+
+
+def folded(text: str) -> str:
+    """Source with its long lines broken at spaces."""
+    return "\n".join(part for line in text.splitlines() for part in _folded_line(line) or [""])
+
+
+def _folded_line(line: str) -> list[str]:
+    further = line[: len(line) - len(line.lstrip())] + 2 * INDENT
+    return textwrap.wrap(line, LINE_LENGTH, subsequent_indent=further, break_long_words=False, break_on_hyphens=False)
+
+
+def comment(text: str) -> list[str]:
+    """A text as comment lines; its own line breaks stay."""
+    wrapped = [part for line in text.splitlines() for part in textwrap.wrap(line, LINE_LENGTH - 3) or [""]]
+    return [f"// {line}".rstrip() for line in wrapped]
+
+
+class Library:
+    """Definitions, each written once and after those it uses."""
+
+    def __init__(self, dialect: Dialect) -> None:
+        self.dialect = dialect
+        self._constants: dict[str, str] = {}
+        self._definitions: dict[Any, list[str]] = {}
+
+    @property
+    def text(self) -> str:
+        """All that was asked for and what that uses, constants first."""
+        blocks = ["\n".join(self._constants.values()), *map("\n".join, self._definitions.values())]
+        return folded("\n\n".join(block for block in blocks if block))
+
+    def constant(self, constant: tree.Constant) -> str:
+        """The name of a constant of a stage's module."""
+        declared = self.dialect.declared(constant.type, constant.name)
+        self._constants[constant.name] = f"const {declared} = {number(constant.type, constant.value)};"
+        return constant.name
+
+    def choice(self, name: str, kind: Any) -> str:
+        """The name of min or max for two values of a type; that of vectors works on their components."""
+        result = CHOICES[name]
+        if isinstance(kind, type) and issubclass(kind, Vector):
+            self.choice(name, element_type(kind))
+            each = ", ".join(f"{name}(x.{letter}, y.{letter})" for letter in "xyzw"[: kind.count])
+            result = f"{self.dialect.types[kind]}({each})"
+        head = self._signature(kind, name, {"x": kind, "y": kind})
+        self._define((name, kind), f"{CHOICES[name]} (rule A1)", head, [f"return {result};"])
+        return name
+
+    def transform(self, matrix: Any) -> str:
+        """The name of the product of a matrix and a vector."""
+        vector = vec3 if matrix is mat3 else vec4
+        head = self._signature(vector, "transform", {"m": matrix, "v": vector})
+        doc = "Matrix times vector, each row summed in this order (rule A3)."
+        self._define(("transform", matrix), doc, head, [f"return {self.dialect.products[matrix]};"])
+        return "transform"
+
+    def function(self, call: tree.Call, lengths: Mapping[str, int]) -> str:
+        """The name of a function of the language for the types of a call; lengths: those of the caller's arrays."""
+        callee, body = call.callee, call.body
+        assert isinstance(callee, Function) and body is not None
+        given = zip(body.parameters, call.arguments, strict=True)
+        own = {name: lengths[a.name] for name, a in given if isinstance(a, tree.Name) and a.name in lengths}
+        name = callee.name + texel_suffix(callee, body)
+        head = self._signature(call.type, name, body.parameters, own)
+        key = (callee, *body.parameters.values(), *own.items())
+        self._define(key, inspect.getdoc(callee.python), head, self._body(body, own))
+        return name
+
+    def stage(self, stage: Stage, lengths: Mapping[str, int]) -> None:
+        """Define a stage; lengths: uniform array, as the pass names it -> its length (of others: a texture)."""
+        arrays = {own: stage.reads[own] for own, kind in stage.parameters.items() if get_origin(kind) is Array}
+        struct = result_struct(stage)
+        fields = [f"{self.dialect.declared(kind, name)};" for name, kind in stage.outputs.items()]
+        self._define(struct, inspect.getdoc(struct), f"struct {struct.__name__}", fields, end="};")
+        own = {name: lengths[read] for name, read in arrays.items() if read in lengths}
+        head = self._signature(struct, stage.name, stage.parameters, own)
+        doc = f"{inspect.getdoc(stage.python)}\nSource: {stage.source}."
+        self._define(stage.python, doc, head, self._body(stage.body, own, struct.__name__))
+
+    def _define(self, key: Any, doc: str | None, head: str, lines: list[str], end: str = "}") -> None:
+        """Add a definition unless it is there."""
+        self._definitions.setdefault(key, [*comment(doc or ""), head, "{", *indented(lines), end])
+
+    def _signature(
+        self, result: Any, name: str, parameters: Mapping[str, Any], lengths: Mapping[str, int] | None = None
+    ) -> str:
+        """`type name(type parameter, ...)`."""
+        known = lengths or {}
+        listed = [self.dialect.declared(kind, own, known.get(own)) for own, kind in parameters.items()]
+        return f"{self.dialect.types.get(result, type_name(result))} {name}({', '.join(listed)})"
+
+    def _body(self, body: tree.Body, lengths: Mapping[str, int], struct: str = "") -> list[str]:
+        """The statements of a body; `struct`: what it returns, if not a single value."""
+        expressions = Expressions(self, lengths)
+        known = set(body.parameters)
+        lines: list[str] = []
+        for statement in body.statements:
+            if isinstance(statement, tree.Assign):
+                lines.append(self._assign(statement, known, expressions))
+            else:
+                lines += self._loop(statement, known, expressions)
+        values = ", ".join(map(expressions.text, body.result.values.values()))
+        returned = self.dialect.returned if struct else ("return {values};",)
+        return [*lines, *(line.format(struct=struct, values=values) for line in returned)]
+
+    def _assign(self, statement: tree.Assign, known: set[str], expressions: Expressions) -> str:
+        """`type name = value;`, without the type where an accumulator is assigned again."""
+        text = expressions.text(statement.value)
+        if statement.name in known:
+            return f"{self.dialect.name(statement.name)} = {text};"
+        known.add(statement.name)
+        return f"{self.dialect.declared(statement.value.type, statement.name)} = {text};"
+
+    def _loop(self, statement: tree.Loop, known: set[str], expressions: Expressions) -> list[str]:
+        """The loop; what is new in its block is unknown after it."""
+        index, inside = self.dialect.name(statement.index), set(known)
+        start, stop = expressions.text(statement.start), expressions.text(statement.stop, SUM)
+        head = f"for (int {index} = {start}; {index} < {stop}; {index}++)"
+        block = [self._assign(assign, inside, expressions) for assign in statement.block]
+        return [head, "{", *indented(block), "}"]
+
+
+def texel_suffix(callee: Function, body: tree.Body) -> str:
+    """What tells apart the forms of a function that is generic in what a texture holds: their parameters may not."""
+    for name, kind in body.parameters.items():
+        hint = get_type_hints(callee.python)[name]
+        if get_origin(hint) is Texture and isinstance(get_args(hint)[0], TypeVar):
+            return f"_{type_name(get_args(kind)[0])}"
+    return ""

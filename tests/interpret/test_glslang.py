@@ -1,0 +1,55 @@
+"""Every shader of every alternative of a scene file is GLSL, by the reference compiler."""
+
+import shutil
+import subprocess
+
+import pytest
+from scenes import settings_with
+from test_structure import STAGES, alternatives
+
+from sss_ref.interpret.shader import shader_files
+from sss_ref.methods.catalogue import METHODS, method_of
+from sss_ref.scene import settings
+
+VALIDATOR = shutil.which("glslangValidator")
+LENGTHS = {"tap_offset": 13, "tap_weight": 13, "material_color": 2}
+CHOICES = {
+    "preset": alternatives(settings.SceneFile, "preset"),
+    "mesh.color": ("material",),
+    "mesh.texture": ("any.png",),
+    "shadow_map.filter": alternatives(settings.ShadowMap, "filter"),
+    "shadow_map.test": alternatives(settings.ShadowMap, "test"),
+    "translucency.form": alternatives(settings.Translucency, "form"),
+    "translucency.combine": alternatives(settings.Translucency, "combine"),
+    "blur.mask": alternatives(settings.Blur, "mask"),
+    "lights": ([{"position": [0.0, 0.0, 5.0]}] * 2, [{"position": [0.0, 0.0, 5.0], "falloff": "inverse_square"}]),
+    "irradiance_map.mode": alternatives(settings.IrradianceMap, "mode"),
+    "irradiance_map.image": alternatives(settings.IrradianceMap, "image"),
+}
+
+
+@pytest.fixture(scope="module")
+def shaders():
+    """Every shader once: (suffix, source)."""
+    cases = [
+        {"method": method, key: value} for method in METHODS for key, values in CHOICES.items() for value in values
+    ]
+    methods = [method_of(settings_with(case)) for case in cases]
+    files = [item for method in methods for lengths in (LENGTHS, {}) for item in shader_files(method, lengths).items()]
+    return sorted({(name.rpartition(".")[2], source) for name, source in files})
+
+
+def test_every_stage_is_in_some_shader(shaders):
+    sources = "".join(source for _, source in shaders)
+    assert [name for name in STAGES if f" {name}(" not in sources] == []
+
+
+@pytest.mark.skipif(VALIDATOR is None, reason="glslangValidator is not installed (Debian: glslang-tools)")
+def test_every_shader_compiles(shaders, tmp_path):
+    paths = [tmp_path / f"{number}.{suffix}" for number, (suffix, _) in enumerate(shaders)]
+    for path, (_, source) in zip(paths, shaders, strict=True):
+        path.write_text(source)
+    done = subprocess.run([VALIDATOR, *map(str, paths)], capture_output=True, text=True)
+    problems = [line for line in done.stdout.splitlines() if "ERROR" in line or "WARNING" in line]
+    assert not problems and done.returncode == 0
+    assert len(paths) > 60

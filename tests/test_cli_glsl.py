@@ -1,0 +1,43 @@
+import pytest
+
+from sss_ref.cli import main
+from sss_ref.interpret.shader import array_lengths, shader_files, stage_source
+from sss_ref.methods.catalogue import method_of
+from sss_ref.passes.translucency import translucency_beer
+from sss_ref.scene.load import load_scene
+from sss_ref.scene.uniforms import uniforms
+
+
+def test_a_stage_is_printed_with_what_it_uses(capsys):
+    assert main(["glsl", "translucency_beer", "--set", "translucency.form=beer"]) == 0
+    assert capsys.readouterr().out == stage_source(translucency_beer, {}) + "\n"
+
+
+def test_without_a_stage_passes_and_stages_are_listed(capsys):
+    assert main(["glsl", "--scene", "wedge", "--method", "texture_space", "--preset", "paper"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert "irradiance_blur: scatter" in lines
+    assert lines[0] == "shadow_map: mesh_vertex, distance_to_light, uv_at_light"
+
+
+def test_the_shaders_of_all_passes_are_written(tmp_path, capsys):
+    assert main(["glsl", "--scene", "figure5", "-o", str(tmp_path / "new" / "folder")]) == 0
+    scene = load_scene("figure5")
+    files = shader_files(method_of(scene.settings), array_lengths(uniforms(scene)))
+    assert {path.name: path.read_text() for path in (tmp_path / "new" / "folder").iterdir()} == files
+    assert "irradiance_fill.frag, " in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["scatter"], "error: stage: expected a stage of the scene (mesh_vertex, "),
+        (["--scene", "none"], "error: none: expected"),
+        (["-o", "{file}"], "error: {file}: expected a folder to write shaders into, got"),
+    ],
+)
+def test_what_is_not_there_is_told(arguments, message, tmp_path, capsys):
+    file = tmp_path / "file"
+    file.write_text("")
+    assert main(["glsl", *(argument.format(file=file) for argument in arguments)]) == 2
+    assert capsys.readouterr().err.startswith(message.format(file=file))
