@@ -22,6 +22,7 @@ def explain(
     pixel: Annotated[str, Parameter(help="Column and row, such as 256,300; row 0 is at the bottom.")],
     stage: Annotated[str | None, Parameter(help="Show this stage only.", show_default=False)] = None,
     depth: Annotated[int, Parameter(help="How many calls inside each other are opened.")] = 1,
+    glsl: Annotated[bool, Parameter(negative="", help="Show every line as the GLSL shader has it, too.")] = False,
     changes: Changes = NO_CHANGES,
     execution: Execution = KERNELS,
 ) -> int:
@@ -36,7 +37,7 @@ def explain(
         explanation = explain_scene(
             load_scene(scene, **changes.overrides()), at, execution.interpreter, execution.threads
         )
-    for section in sections(explanation, stage, depth):
+    for section in sections(explanation, stage, depth, glsl):
         _print(section)
     return 0
 
@@ -55,6 +56,8 @@ def _print(section: "Section") -> None:
     out.print(Text.assemble("\n  ", (section.title, "bold cyan"), "  ", (section.note, "dim")))
     for row in section.rows:
         out.print(_line(row))
+        if row.glsl:
+            out.print(Text("    " + "  " * row.depth + row.glsl, "green"))
 
 
 def _line(row: "Row") -> Text:

@@ -16,6 +16,7 @@ STYLE = """
   white-space: pre; }
 .sss-explanation .read td, .sss-explanation .call td, .sss-explanation .turn td { opacity: 0.65; }
 .sss-explanation td.bits { opacity: 0.5; }
+.sss-explanation td.glsl { color: #2a7f4f; }
 .sss-explanation td.unit { font-family: inherit; opacity: 0.65; }
 </style>
 """
@@ -37,5 +38,5 @@ def _section(section: Section) -> str:
 
 def _row(row: Row) -> str:
     text = "    " * row.depth + row.text
-    cells = ("", text), ("", row.value), ("bits", row.bits), ("unit", row.unit)
+    cells = ("", text), ("", row.value), ("bits", row.bits), ("unit", row.unit), ("glsl", row.glsl)
     return f'<tr class="{row.kind}">{"".join(f"<td class={name!r}>{escape(cell)}</td>" for name, cell in cells)}</tr>'

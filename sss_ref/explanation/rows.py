@@ -2,11 +2,12 @@
 
 import inspect
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sss_ref.errors import SceneError
 from sss_ref.explanation.explain import Drawn, Explanation, PassTrace, StageTrace
+from sss_ref.explanation.shader_lines import Translate, glsl_lines
 from sss_ref.explanation.values import bits, shown
 from sss_ref.interpret.trace import Step
 from sss_ref.language.pipeline import MESH_ATTRIBUTES
@@ -16,7 +17,7 @@ from sss_ref.passes.buffers import BUFFERS, described
 
 @dataclass(frozen=True)
 class Row:
-    """A line of a table. depth: how far it is indented; kind: "read", "line", "call" or "turn"."""
+    """A line of a table. depth: how far it is indented; kind: "read", "line", "call" or "turn"; glsl: in GLSL."""
 
     kind: str
     depth: int
@@ -24,6 +25,15 @@ class Row:
     value: str = ""
     bits: str = ""
     unit: str = ""
+    glsl: str = ""
+
+
+@dataclass(frozen=True)
+class Detail:
+    """How much is shown; see `sections`."""
+
+    depth: int
+    glsl: bool
 
 
 @dataclass
@@ -36,13 +46,15 @@ class Section:
     rows: list[Row] = field(default_factory=list)
 
 
-def sections(explanation: Explanation, stage: str | None = None, depth: int = 1) -> list[Section]:
+def sections(explanation: Explanation, stage: str | None = None, depth: int = 1, glsl: bool = False) -> list[Section]:
     """The tables of an explanation.
 
     stage: show this one only. depth: how many calls inside each other are opened; 1 shows what the calls in a line of
-    a stage give, 2 also the lines of those functions. Raises SceneError for a stage that is not there.
+    a stage give, 2 also the lines of those functions. glsl: with every line as the shader has it.
+    Raises SceneError for a stage that is not there.
     """
-    found = [section for one in explanation.passes for section in _of_pass(one, depth)]
+    detail = Detail(depth, glsl)
+    found = [section for one in explanation.passes for section in _of_pass(one, detail)]
     if stage is None:
         return found
     chosen = [section for section in found if section.level == 2 and section.title.split()[0] == stage]
@@ -52,17 +64,17 @@ def sections(explanation: Explanation, stage: str | None = None, depth: int = 1)
     return chosen
 
 
-def _of_pass(one: PassTrace, depth: int) -> Iterator[Section]:
+def _of_pass(one: PassTrace, detail: Detail) -> Iterator[Section]:
     at = "" if one.place.pixel is None else f"pixel {one.place.pixel[0]},{one.place.pixel[1]}: "
     yield Section(1, f"pass {one.name}", at + one.place.reason)
     if one.drawn:
         told: set[str] = set()  # the uniforms are the same at every corner
         for vertex in one.drawn.vertices:
-            yield _of_stage(vertex, depth, told)
+            yield _of_stage(vertex, detail, told)
             told = set(vertex.reads) - set(MESH_ATTRIBUTES)
         yield _of_draw(one.drawn)
     for traced in one.stages:
-        yield _of_stage(traced, depth)
+        yield _of_stage(traced, detail)
 
 
 def _of_draw(drawn: Drawn) -> Section:
@@ -77,14 +89,15 @@ def _of_draw(drawn: Drawn) -> Section:
     return section
 
 
-def _of_stage(traced: StageTrace, depth: int, told: Collection[str] = ()) -> Section:
+def _of_stage(traced: StageTrace, detail: Detail, told: Collection[str] = ()) -> Section:
     """A stage: what it reads, but for what was told before, and its lines."""
     about = inspect.getdoc(traced.stage.python) or ""
     where = f" at {traced.at}" if traced.at else ""
     section = Section(2, traced.stage.name + where, f"{traced.stage.source}. {about.splitlines()[0]}")
     section.rows += [row for name, value in traced.reads.items() if name not in told for row in _of_read(name, value)]
     units = {name: described(name).unit for name in traced.writes if _is_buffer(name)}
-    section.rows += [row for step in traced.steps for row in _of_step(step, 0, depth, units)]
+    glsl = glsl_lines(traced) if detail.glsl else lambda step: ""
+    section.rows += [row for step in traced.steps for row in _of_step(step, 0, detail.depth, units, glsl)]
     return section
 
 
@@ -95,20 +108,22 @@ def _of_read(name: str, value: Any) -> Iterator[Row]:
         yield from (_row("read", f"row {k}", (vec3, vec4)[len(row) - 3](*row), 1) for k, row in enumerate(value.rows))
 
 
-def _of_step(step: Step, indent: int, depth: int, units: Mapping[str, str]) -> Iterator[Row]:
+def _of_step(step: Step, indent: int, depth: int, units: Mapping[str, str], glsl: Translate) -> Iterator[Row]:
     """A step and, as far as `depth` allows, what is inside it."""
     is_loop = isinstance(step.source, str)
     kind = "turn" if is_loop else "line" if step.name else "call"
     if step.text == step.name:
         return  # a value returned under the name it has
     text = f"{step.name} = {step.text}" if step.name else step.text
-    yield Row(kind, indent, text) if is_loop else _row(kind, text, step.value, indent, units.get(step.name, ""))
+    row = Row(kind, indent, text) if is_loop else _row(kind, text, step.value, indent, units.get(step.name, ""))
+    yield replace(row, glsl=glsl(step))
     left = depth - (kind == "call")
     for inner in step.inner if left > 0 or is_loop else ():
         if inner.source is step.source:  # the whole line is one call, which gives what the line gives
-            yield from (row for line in inner.inner if left > 1 for row in _of_step(line, indent + 1, left - 1, units))
+            lines = inner.inner if left > 1 else ()
+            yield from (row for line in lines for row in _of_step(line, indent + 1, left - 1, units, glsl))
         else:
-            yield from _of_step(inner, indent + 1, left, units)
+            yield from _of_step(inner, indent + 1, left, units, glsl)
 
 
 def _row(kind: str, text: str, value: Any, indent: int = 0, unit: str = "") -> Row:

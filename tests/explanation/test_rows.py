@@ -75,6 +75,20 @@ def test_depth_opens_calls(told):
     assert any(row.kind == "call" for row in rows_of(told, "phong_shading"))
 
 
+def test_every_line_as_glsl(told):
+    (section,) = sections(told, "back_point", glsl=True)
+    assert [row.glsl for row in section.rows if row.kind == "line"] == [
+        "vec3 direction = normalize(position_world - light_position);",
+        "vec3 entry_point = shadow_valid ? light_position + direction * stored_distance : position_world;",
+        "float thickness = length(position_world - entry_point);",
+    ]
+    (section,) = sections(told, "scatter", glsl=True)
+    assert "total = total + tap_sample(lit, pixel, tap_offset[tap] * pixel_scale) * tap_weight[tap];" in [
+        row.glsl for row in section.rows
+    ]
+    assert not any(row.glsl for row in rows_of(told, "back_point"))
+
+
 def test_every_tap_is_a_turn_with_its_weight_and_sample(told):
     rows = rows_of(told, "scatter")
     turns = [k for k, row in enumerate(rows) if re.fullmatch(r"tap = \d+", row.text)]
@@ -118,10 +132,11 @@ def test_as_a_page(told):
 
 
 def test_in_the_terminal(capsys):
-    assert main(["explain", "sphere", "--pixel", "20,30", "--stage", "back_point", "--size", "48x48"]) == 0
+    assert main(["explain", "sphere", "--pixel", "20,30", "--stage", "back_point", "--size", "48x48", "--glsl"]) == 0
     printed = capsys.readouterr().out
     assert "thickness = length(position_world - entry_point)" in printed
     assert "scene units along the light's ray" in printed
+    assert "float thickness = length(position_world - entry_point);" in printed
     for wrong, message in (
         ("20", "--pixel: expected COLUMN,ROW, got '20'; write it as 256,300"),
         ("20,99", "pixel: expected column 0 to 47 and row 0 to 47, got 20,99; row 0 is at the bottom"),
