@@ -46,6 +46,7 @@ MAY_IMPORT = {
     "explanation": {"language", "raster", "interpret", "passes", "scene", "methods", "result", "rendering"},
     "gl": {"interpret", "language", "passes", "scene", "methods"},
     "io": {"language", "passes", "scene", "methods", "result", "rendering", "samples"},
+    "validate": {"language", "raster", "interpret", "methods", "result", "rendering", "io"},
     "cli": {"language", "passes", "scene", "methods", "result", "rendering", "explanation", "io"},
 }
 
@@ -92,6 +93,7 @@ def test_the_direction_has_no_circle():
         "explanation",
         "gl",
         "io",
+        "validate",
         "cli",
     ]
     assert sorted(order) == sorted(MAY_IMPORT)

@@ -9,6 +9,7 @@ from sss_ref.cli.explaining import explain
 from sss_ref.cli.listing import info, scenes
 from sss_ref.cli.rendering import render, warmup
 from sss_ref.cli.shaders import glsl
+from sss_ref.cli.validating import validate
 from sss_ref.errors import SssRefError
 
 PURPOSE = "The CPU reference for real-time subsurface scattering."
@@ -21,14 +22,14 @@ def _version() -> str:
 
 
 app = App(name="sss-ref", help=PURPOSE, version=_version, result_action="return_value")
-for command in (render, verify, diff, explain, glsl, info, scenes, warmup):
+for command in (render, verify, diff, explain, glsl, validate, info, scenes, warmup):
     app.command(command)
 
 
 def main(tokens: list[str] | None = None) -> int:
     """Run the command line; returns the exit code.
 
-    0, or 1 where `verify` or `diff` finds a difference, or 2 for bad input.
+    0, or 1 where `verify`, `diff` or `validate` finds a difference, or 2 for bad input.
     """
     try:
         return app(tokens, exit_on_error=False, error_console=err) or 0

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 from sss_ref.errors import ShaderError
 from sss_ref.interpret.shader import MOST_OUTPUTS, OUT, draws, fragment_shader, vertex_shader
 from sss_ref.language.pipeline import Pass
+from sss_ref.methods.catalogue import method_of
+from sss_ref.scene.settings import SceneFile
 
 if TYPE_CHECKING:
     from moderngl import Context, Program
@@ -45,6 +47,26 @@ def own_shaders(
         ShaderPair(name, vertex_shader(one, lengths), fragment_shader(one, buffers, outputs, lengths), outputs)
         for name, outputs in draws(one, wanted).items()
     ]
+
+
+def shader_folder(folder: Path, settings: SceneFile) -> dict[str, list[Path]]:
+    """The files of a folder by the pass they stand for: camera.frag, camera_1.frag, camera.vert are of pass camera.
+
+    Raises ShaderError for a folder without any, and for a file that no pass has the name of.
+    """
+    passes = [one.name for one in method_of(settings).passes if not one.on_demand]
+    paths = sorted(path for path in folder.glob("*") if path.suffix in (".vert", ".frag"))
+    if not paths:
+        raise ShaderError(
+            f"{folder}: expected files NAME.frag or NAME.vert, NAME a pass ({', '.join(passes)}), got none"
+        )
+    files: dict[str, list[Path]] = {}
+    for path in paths:
+        name = next((name for name in (path.stem, re.sub(r"_\d+$", "", path.stem)) if name in passes), None)
+        if name is None:
+            raise ShaderError(f"{path}: expected the name of a pass ({', '.join(passes)}), got {path.stem}; rename it")
+        files.setdefault(name, []).append(path)
+    return files
 
 
 def user_shaders(one: Pass, files: Files, lengths: Mapping[str, int]) -> list[ShaderPair]:

@@ -1,0 +1,193 @@
+"""Every stage on its own: it gets what the other implementation had, and must give what that one made of it.
+
+So an error shows where it is made and nowhere else. A texture is taken as dumped; so is a value that an earlier stage
+of the same pass handed on, if it was dumped. What was not dumped comes from the oracle.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sss_ref.interpret import arrays
+from sss_ref.interpret.arrays import CHUNK, draw_values, stage_input
+from sss_ref.interpret.work import Fragments, Work, buffer_value
+from sss_ref.language.pipeline import MeshDraw, Pass
+from sss_ref.language.stage import Stage
+from sss_ref.language.types import Array, Texture, components, mat3, mat4
+from sss_ref.methods.catalogue import method_of
+from sss_ref.raster.primitives import Primitives
+from sss_ref.rendering import Rendering
+from sss_ref.result import Result
+
+Buffers = Mapping[str, np.ndarray]
+RASTERIZER = "rasterizer"  # the name under which what the draw itself writes is judged
+
+
+@dataclass(frozen=True)
+class Check:
+    """A buffer that a stage wrote, beside what it should have written.
+
+    where: bool (H, W), the pixels that are compared. expected, got: (H, W) or (H, W, C). reach: float64, of the same
+    shape: how far floats may be off by rounding alone (see `reach_of`); 0 for other types.
+    """
+
+    pass_name: str
+    stage: str
+    buffer: str
+    where: np.ndarray
+    expected: np.ndarray
+    got: np.ndarray
+    reach: np.ndarray
+
+
+def checks(oracle: Result, dumped: Buffers) -> Iterator[Check]:
+    """All buffers of a dump in stage order. oracle: the rendering of the same scene, with all buffers."""
+    rendering = Rendering(oracle.scene, arrays, None, set())
+    rendering.buffers = {**oracle.buffers, **dumped}
+    for one in method_of(oracle.scene.settings).passes:
+        if not one.on_demand and set(one.outputs) & set(dumped):
+            yield from _checks_of_pass(rendering, one, oracle, dumped)
+
+
+def _checks_of_pass(rendering: Rendering, one: Pass, oracle: Result, dumped: Buffers) -> Iterator[Check]:
+    fragments, _ = rendering.draw(one)
+    for name in (name for name in one.draw.outputs if name in dumped):
+        yield _check_of_draw(one, name, fragments, oracle[name], dumped[name])
+    if one.feedback:
+        yield from _checks_of_rounds(rendering, one, fragments, dumped)
+        return
+    where = _comparable(one, fragments, oracle, dumped)
+    found = {name: _empty(dumped[name]) for name in one.outputs if name in dumped and name not in one.draw.outputs}
+    work = Work(one, fragments, rendering.uniforms, rendering.buffers, {}, {})
+    rows, columns = np.nonzero(where)
+    for start in range(0, len(rows), CHUNK):
+        _run(work, (rows[start : start + CHUNK], columns[start : start + CHUNK]), dumped, found)
+    writers = {name: stage.name for stage in one.stages for name in stage.writes.values()}
+    for name, (expected, reach) in found.items():
+        yield Check(one.name, writers[name], name, where, expected, dumped[name], reach)
+
+
+def _checks_of_rounds(rendering: Rendering, one: Pass, fragments: Fragments, dumped: Buffers) -> Iterator[Check]:
+    """A pass that runs in rounds is checked as a whole: what lies between two rounds is not dumped."""
+    outputs = {own: rendering.buffers[name] for name, own in one.feedback.items()}
+    for _ in range(one.rounds):
+        fed = {name: outputs[own] for name, own in one.feedback.items()}
+        outputs = rendering.shade(one, fragments, rendering.buffers | fed, list(outputs))
+    for name in (name for name in outputs if name in dumped):
+        reach = np.abs(outputs[name].astype(np.float64)) * 1e-5 * (outputs[name].dtype == np.float32)
+        yield Check(one.name, one.stages[0].name, name, fragments.where, outputs[name], dumped[name], reach)
+
+
+def _comparable(one: Pass, fragments: Fragments, oracle: Result, dumped: Buffers) -> np.ndarray:
+    """The fragments on which both drew the same triangle; elsewhere the rasterizer is to be judged, not the stages."""
+    where = fragments.where
+    if isinstance(one.draw, MeshDraw):
+        for name in (one.draw.triangle, one.draw.coverage):
+            where = where & (oracle[name] == dumped[name]) if name in dumped else where
+    return where
+
+
+def _run(work: Work, at: tuple[np.ndarray, np.ndarray], dumped: Buffers, found: Mapping[str, Any]) -> None:
+    """Run the stages of a pass at some pixels and note what each should have written, and how near that must be."""
+    values = draw_values(work, *at)
+    moved = _moved_varyings(work, at, values)
+    for stage in work.one.stages:
+        inputs, results = _called(work, stage, values, at)
+        for other in moved:  # what a varying a little beside would have changed so far
+            if set(stage.reads.values()) & set(other):
+                other |= _called(work, stage, values | other, at)[1]
+        for own, name in ((own, name) for own, name in stage.writes.items() if name in found):
+            expected, reach = found[name]
+            base, others = _stack(results[name]), [_stack(other.pop(name)) for other in moved if name in other]
+            expected[at] = _shaped(base, expected)
+            reach[at] = _shaped(reach_of(base, others, inputs), reach)
+            results[name] = buffer_value(stage.outputs[own], dumped[name], *at)
+        values |= results
+
+
+def reach_of(expected: np.ndarray, moved: list[np.ndarray], inputs: list[Any]) -> np.ndarray:
+    """How far a correct result may lie from the expected one (N, C), float64.
+
+    moved: the results for single varyings moved by half a subpixel; their distances add up, with half as much again
+    for what is not linear. Besides it is 1e-5 of the largest component, and 2^-20 of the largest number that goes into
+    the stage, since differences of large numbers cancel. 0 for what is no float.
+    """
+    if expected.dtype != np.float32:
+        return np.zeros(expected.shape)
+    exact = expected.astype(np.float64)
+    largest_in = 0.0
+    for value in filter(_is_float, inputs):
+        largest_in = np.maximum(largest_in, np.abs(_stack(value)).max(axis=-1, keepdims=True))
+    apart = sum((np.abs(each - exact) for each in moved), np.zeros(exact.shape))
+    return 1.5 * apart + 1e-5 * np.abs(exact).max(axis=-1, keepdims=True) + 2.0**-20 * largest_in
+
+
+def _called(
+    work: Work, stage: Stage, values: Mapping[str, Any], at: tuple[np.ndarray, np.ndarray]
+) -> tuple[list[Any], dict[str, Any]]:
+    """What a stage reads, in order, and name -> what it writes."""
+    inputs = [stage_input(work, values, stage.reads[own], kind, at) for own, kind in stage.parameters.items()]
+    with np.errstate(all="ignore"):
+        return inputs, dict(zip(stage.writes.values(), stage(*inputs), strict=True))
+
+
+def _moved_varyings(work: Work, at: tuple[np.ndarray, np.ndarray], values: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """One dictionary for each component of each varying, with that component moved by half a subpixel."""
+    fragments = work.fragments
+    if fragments.primitives is None or fragments.piece is None:
+        return []
+    slack = half_subpixel(fragments.primitives, fragments.primitives.attributes, fragments.piece[at], fragments.step)
+    moved = []
+    for name, first in fragments.varyings.items():
+        parts = components(values[name])
+        for k, part in enumerate(parts):
+            beside = [*parts[:k], np.float32(part + slack[:, first + k]), *parts[k + 1 :]]
+            moved.append({name: type(values[name])(*beside) if len(parts) > 1 else beside[0]})
+    return moved
+
+
+def half_subpixel(primitives: Primitives, attributes: np.ndarray, pieces: np.ndarray, step: int) -> np.ndarray:
+    """How much attributes float32 (V, A) change over half a subpixel along both axes together, float64 (N, A).
+
+    So far may interpolation on the triangle as it is, and on the snapped one, lie apart. Gradient of a linear function
+    from its values a at three corners: 2 * area * gradient = sum of (a_i - a_0) * the edge opposite to i, turned.
+    """
+    corners = primitives.corners[pieces].T
+    x, y = np.moveaxis(primitives.snapped[corners].astype(np.float64), -1, 0) / step
+    a = attributes[corners].astype(np.float64)
+    area = np.abs((x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]))
+    opposite = np.abs(np.roll(x, -1, 0) - np.roll(x, 1, 0)) + np.abs(np.roll(y, -1, 0) - np.roll(y, 1, 0))
+    change = sum((np.abs(a[k] - a[0]) * opposite[k, :, None] for k in (1, 2)), np.zeros(a.shape[1:]))
+    return change / area[:, None] * (0.5 / step)
+
+
+def _is_float(value: Any) -> bool:
+    if isinstance(value, Texture | Array | mat3 | mat4):
+        return False
+    return all(np.asarray(part).dtype == np.float32 for part in components(value))
+
+
+def _stack(value: Any) -> np.ndarray:
+    """The components of a value side by side: (N, C), or (1, C) for a uniform."""
+    return np.stack([np.atleast_1d(part) for part in components(value)], axis=-1)
+
+
+def _shaped(values: np.ndarray, buffer: np.ndarray) -> np.ndarray:
+    return values[:, 0] if buffer.ndim == 2 else values
+
+
+def _empty(buffer: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    return np.zeros_like(buffer), np.zeros(buffer.shape)
+
+
+def _check_of_draw(one: Pass, name: str, fragments: Fragments, expected: np.ndarray, got: np.ndarray) -> Check:
+    """What the rasterizer wrote; a depth may be off by half a subpixel, and by a step of a 24-bit depth buffer."""
+    reach = np.zeros(expected.shape)
+    if expected.dtype == np.float32 and fragments.primitives is not None and fragments.piece is not None:
+        where = fragments.where
+        depth = fragments.primitives.depth[:, None]
+        slack = half_subpixel(fragments.primitives, depth, fragments.piece[where], fragments.step)
+        reach[where] = slack[:, 0] + 2.0**-23
+    return Check(one.name, RASTERIZER, name, np.ones(expected.shape, bool), expected, got, reach)

@@ -1,0 +1,109 @@
+"""What is said of each buffer, and of the whole: which stage is the first that is wrong."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from sss_ref.io.diff import ULP_CLASSES, bits, ulp_class
+from sss_ref.validate.rebased import Check
+
+SHARE = 0.999  # of the compared pixels that must be within reach: on the border of two texels either may be read
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """One buffer. ulps: values in each of ULP_CLASSES. worst: the pixel that lies farthest beyond its reach, if any."""
+
+    pass_name: str
+    stage: str
+    buffer: str
+    compared: int  # pixels
+    equal: int  # pixels with the same bits
+    within: int  # pixels within reach
+    ulps: tuple[int, ...]
+    worst: str | None
+
+    @property
+    def passed(self) -> bool:
+        """Whether enough pixels are within reach, and there are any."""
+        return self.compared > 0 and self.within >= SHARE * self.compared
+
+
+@dataclass(frozen=True)
+class Report:
+    """The verdicts in stage order, and what could not be judged. missing: buffers that were not dumped."""
+
+    verdicts: tuple[Verdict, ...]
+    missing: tuple[str, ...]
+
+    @property
+    def culprit(self) -> Verdict | None:
+        """The first buffer that a stage got wrong although it had what it needed."""
+        return next((verdict for verdict in self.verdicts if not verdict.passed), None)
+
+    @property
+    def passed(self) -> bool:
+        """Whether there are verdicts and all are good."""
+        return bool(self.verdicts) and self.culprit is None
+
+    @property
+    def summary(self) -> str:
+        """The outcome in a sentence."""
+        if not self.verdicts:
+            return "fail: there is no buffer to judge"
+        wrong = self.culprit
+        if wrong is None:
+            return (
+                f"pass: {len(self.verdicts)} buffers, every stage gives what it should"
+                if self.passed
+                else "nothing to judge"
+            )
+        if not wrong.compared:
+            return f"fail: stage {wrong.stage} of pass {wrong.pass_name}: no pixel of {wrong.buffer} can be compared"
+        outside = 1 - wrong.within / wrong.compared
+        return (
+            f"fail: stage {wrong.stage} of pass {wrong.pass_name} is the first that is wrong: {outside:.1%} of the "
+            f"pixels of {wrong.buffer} are out of reach, {wrong.worst}"
+        )
+
+
+def judged(check: Check) -> Verdict:
+    """The verdict on one buffer. A NaN is never within reach."""
+    expected, got, reach = (np.atleast_3d(array)[check.where] for array in (check.expected, check.got, check.reach))
+    with np.errstate(invalid="ignore"):  # two infinities have no distance
+        apart = np.abs(got.astype(np.float64) - expected.astype(np.float64))
+    within = (apart <= reach).all(axis=-1)
+    classes = np.bincount(ulp_class(expected, got).reshape(-1), minlength=len(ULP_CLASSES))
+    equal = ~(bits(expected) != bits(got)).any(axis=-1)
+    return Verdict(
+        check.pass_name,
+        check.stage,
+        check.buffer,
+        len(within),
+        int(equal.sum()),
+        int(within.sum()),
+        tuple(classes.tolist()),
+        None if within.all() else _worst(check, apart, reach, within),
+    )
+
+
+def _worst(check: Check, apart: np.ndarray, reach: np.ndarray, within: np.ndarray) -> str:
+    """The pixel with the largest difference in units of its reach."""
+    beyond = np.where(np.isfinite(apart), apart - reach, np.inf)
+    index = int(np.argmax(np.where(within, -np.inf, beyond.max(axis=-1))))
+    row, column = np.argwhere(check.where)[index]
+    expected, got = (_shown(array[row, column]) for array in (check.expected, check.got))
+    return f"worst at pixel {column},{row} (row 0 at the bottom): {got}, expected {expected}"
+
+
+def _shown(pixel: np.ndarray) -> str:
+    parts = [str(part) for part in np.atleast_1d(pixel)]
+    return parts[0] if len(parts) == 1 else f"({', '.join(parts)})"
+
+
+def report(checks: Iterable[Check], buffers: Iterable[str]) -> Report:
+    """The verdicts on all checks. buffers: the names of everything that could have been dumped, in order."""
+    verdicts = tuple(map(judged, checks))
+    there = {verdict.buffer for verdict in verdicts}
+    return Report(verdicts, tuple(name for name in buffers if name not in there))
