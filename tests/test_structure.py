@@ -45,7 +45,7 @@ MAY_IMPORT = {
     "samples": {"scene", "result", "rendering"},
     "explanation": {"language", "raster", "interpret", "passes", "scene", "methods", "result", "rendering"},
     "gl": {"interpret", "language", "passes", "scene", "methods"},
-    "io": {"language", "passes", "scene", "methods", "result", "rendering", "samples"},
+    "io": {"language", "interpret", "passes", "scene", "methods", "result", "rendering", "samples"},
     "validate": {"language", "raster", "interpret", "methods", "result", "rendering", "io"},
     "cli": {"language", "passes", "scene", "methods", "result", "rendering", "explanation", "io"},
 }

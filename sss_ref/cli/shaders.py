@@ -1,4 +1,4 @@
-"""`sss-ref glsl`: the stages as shaders."""
+"""`sss-ref glsl` and `bundle`: the stages as shaders, and a scene for another renderer."""
 
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -42,6 +42,21 @@ def glsl(
     if stage is None and output is None:
         for one in method.passes:
             out.print(f"{one.name}: {', '.join(dict.fromkeys(each.name for each in _stages(one)))}")
+    return 0
+
+
+def bundle(
+    scene: Annotated[str, Parameter(help="A scene file, or the name of a shipped scene.")] = "default",
+    *,
+    output: Annotated[Path, Parameter(alias="-o", help="The folder for the bundle.")] = Path("bundle"),
+    changes: Changes = NO_CHANGES,
+) -> int:
+    """Write a scene for another renderer: mesh, uniforms, shaders, passes and a porting guide."""
+    from sss_ref.io.bundle import write_bundle
+    from sss_ref.scene.load import load_scene
+
+    folder = write_bundle(load_scene(scene, **changes.overrides()), output)
+    out.print(f"{folder}: read PORTING.md first", markup=False)
     return 0
 
 

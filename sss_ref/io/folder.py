@@ -1,10 +1,6 @@
 """The result folder: pictures, buffers and manifest, all there or not there at all."""
 
 import json
-import os
-import shutil
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +10,7 @@ from sss_ref.io.exr import write_exr
 from sss_ref.io.manifest import FILE_NAME, FORMAT, Manifest, manifest_of, scene_hash
 from sss_ref.io.overview import write_overview
 from sss_ref.io.png import encoding_of, write_png
+from sss_ref.io.whole_folder import appearing, writable
 from sss_ref.result import Result
 from sss_ref.samples import SampledResult
 
@@ -26,22 +23,14 @@ def save(result: Result, folder: Path, interpreter: str | None = None, threads: 
     Raises DumpError where the folder is not ours to replace or cannot be written; it is then left as it was.
     """
     folder = checked_target(folder)
-    with _appearing(folder) as part:
+    with appearing(folder) as part:
         _write(result, manifest_of(result, interpreter, threads), part)
     return folder
 
 
 def checked_target(folder: Path) -> Path:
     """The absolute path of a folder that a result can be written to. Raises DumpError where it cannot."""
-    folder = folder.resolve()
-    if folder.exists() and not _replaceable(folder):
-        raise DumpError(
-            f"{folder}: expected a new folder, an empty one or an earlier result, got other files; move them"
-        )
-    parent = next(parent for parent in folder.parents if parent.exists())
-    if not (parent.is_dir() and os.access(parent, os.W_OK)):
-        raise DumpError(f"{folder}: expected a place to write to, got {parent}; choose another folder")
-    return folder
+    return writable(folder, _is_result, "an earlier result")
 
 
 def read_buffer(path: Path) -> np.ndarray:
@@ -52,47 +41,12 @@ def read_buffer(path: Path) -> np.ndarray:
         raise DumpError(f"{path}: expected a buffer in NPY format, got {error}; render the scene again") from None
 
 
-def _replaceable(folder: Path) -> bool:
-    """Whether nothing of anybody else's is lost with `folder`: it is empty, or an earlier result."""
-    return folder.is_dir() and (not any(folder.iterdir()) or _is_result(folder))
-
-
 def _is_result(folder: Path) -> bool:
     """Whether a folder has a manifest of this package, of whatever version."""
     try:
         return json.loads((folder / FILE_NAME).read_bytes())["format"] == FORMAT
     except (OSError, ValueError, LookupError, TypeError):
         return False
-
-
-@contextmanager
-def _appearing(folder: Path) -> Iterator[Path]:
-    """A hidden folder beside `folder` to write into; it takes its place at the end, or vanishes if writing fails."""
-    part = folder.with_name(f".{folder.name}.{os.getpid()}.part")
-    try:
-        part.mkdir(parents=True)
-        yield part
-        _put(part, folder)
-    except (OSError, RuntimeError) as error:  # OpenEXR raises the latter
-        reason = getattr(error, "strerror", None) or error
-        raise DumpError(f"{folder}: cannot be written ({reason}); choose another folder") from error
-    finally:
-        shutil.rmtree(part, ignore_errors=True)
-
-
-def _put(part: Path, folder: Path) -> None:
-    """Rename `part` to `folder`, whose own content, if any, is moved aside first and deleted last."""
-    if not folder.exists():
-        part.rename(folder)
-        return
-    old = part.with_suffix(".old")
-    folder.rename(old)
-    try:
-        part.rename(folder)
-    except OSError:
-        old.rename(folder)
-        raise
-    shutil.rmtree(old, ignore_errors=True)
 
 
 def _write(result: Result, manifest: Manifest, folder: Path) -> None:

@@ -1,0 +1,63 @@
+"""PORTING.md: what somebody must know who draws a bundle with a renderer of their own."""
+
+from sss_ref.language.pipeline import Method
+from sss_ref.scene.load import Scene
+
+TEXT = """# Porting this scene
+
+Method `{method}`, preset `{preset}`, mesh `{mesh}`; every number is in the files, nothing is left to guess.
+
+| file | what it holds |
+|---|---|
+| `mesh/*.npy` | `position`, `normal`, `uv` float32, `triangles` int32: exactly what the vertex shaders read |
+| `mesh.glb` | the same mesh to look at; its v is measured from the top and rounded, so compare with the arrays |
+| `uniforms.json` | every uniform by the name in the shaders; matrices are row by row and act on column vectors |
+| `textures/*.npy` | pictures (H, W, 3) and arrays too long for a uniform, row 0 at the bottom |
+| `passes.json` | the passes in order: size, draw, what they read, targets with format and clear value |
+| `shaders/` | GLSL 4.0: PASS.vert, and a .frag for every draw of at most eight targets |
+| `scene.json` | the scene with every key filled |
+
+## Passes
+{passes}
+
+## Conventions
+- Clip space is OpenGL's, -w <= x, y, z <= w; window depth 0.5*z/w + 0.5, cleared to 1. Nothing is culled or blended.
+- Textures have row 0 at the bottom; texel (i, j) has its centre at ((i + 0.5)/W, (j + 0.5)/H). With y pointing down
+  (Direct3D, Vulkan) flip the viewport, or flip rows when you dump; `validate --origin top` takes flipped dumps.
+- Every texture is read by texelFetch; filters are written in the shaders. Textures with the names of buffers are the
+  targets of earlier passes.
+- OpenGL stores matrices column by column: transpose, or let glUniformMatrix do it.
+- `triangle` is the index of the triangle in `triangles.npy` (gl_PrimitiveID in one indexed draw). R8UI holds 0 or 1.
+- An array too long for a uniform is a texture W = {array_width} texels wide, element k at (k % W, k / W).
+- A pass with `rounds` n runs n times; before each but the first, what `feedback` names takes the place of what it read.
+- `rectangle` with `discards_where_0`: the fragment shader discards where that buffer is 0 (a stencil does as well).
+
+## Is it right?
+Write every target as an .npy, .exr or .dds file named after its buffer into one folder and ask
+
+    sss-ref validate {source} FOLDER
+
+which names the first stage that is wrong. Keep targets in float32 while you look for an error: what a narrower format
+loses is told apart only if the mapping file says so.
+"""
+
+
+def guide(scene: Scene, method: Method) -> str:
+    """The text for one scene."""
+    from sss_ref.interpret.shader import ARRAY_WIDTH
+
+    listed = []
+    for number, one in enumerate((one for one in method.passes if not one.on_demand), start=1):
+        table = getattr(scene.settings, one.target)
+        stages = ", ".join(f"`{stage.name}`" for stage in one.stages)
+        listed.append(
+            f"{number}. `{one.name}`, {table.width} x {table.height}: {stages}. Writes {', '.join(one.outputs)}."
+        )
+    return TEXT.format(
+        method=method.name,
+        preset=scene.settings.preset,
+        source=scene.source,
+        mesh=scene.mesh.name,
+        passes="\n".join(listed),
+        array_width=ARRAY_WIDTH,
+    )
