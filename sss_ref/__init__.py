@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from sss_ref.errors import DumpError, MeshError, RenderError, SceneError, SssRefError, StageError
     from sss_ref.explanation.explain import explain
+    from sss_ref.own_stage import with_stage
     from sss_ref.rendering import render
     from sss_ref.result import Result
     from sss_ref.scene.load import Scene, load_scene
@@ -31,6 +32,7 @@ _HOMES = {
     "explain": "sss_ref.explanation.explain",
     "load_scene": "sss_ref.scene.load",
     "render": "sss_ref.rendering",
+    "with_stage": "sss_ref.own_stage",
 }
 
 __all__ = [
@@ -45,6 +47,7 @@ __all__ = [
     "explain",
     "load_scene",
     "render",
+    "with_stage",
 ]
 
 

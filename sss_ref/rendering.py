@@ -47,7 +47,7 @@ def render(
     """
     if interpreter not in INTERPRETERS:
         raise SceneError(f"interpreter: expected one of {', '.join(INTERPRETERS)}, got {interpreter!r}")
-    method = method_of(scene.settings)
+    method = method_of(scene.settings, scene.own_stages)
     with _pool(threads) as pool:
         rendering = Rendering(scene, INTERPRETERS[interpreter], pool, _kept(method, keep))
         needed = method.only(rendering.kept)

@@ -82,7 +82,11 @@ def _rendered(scene: "Scene", wanted: Wanted, execution: Execution, on_pass: Cal
 
     if wanted.samples != 1:
         return render_samples(scene, wanted.samples, execution.interpreter, execution.threads, on_pass)
-    keep = buffers_until(method_of(scene.settings), wanted.until) if wanted.until else wanted.keep or "all"
+    keep = (
+        buffers_until(method_of(scene.settings, scene.own_stages), wanted.until)
+        if wanted.until
+        else wanted.keep or "all"
+    )
     return render_scene(scene, execution.interpreter, execution.threads, keep, on_pass)
 
 
@@ -92,7 +96,7 @@ def _table_of_passes(result: "Result") -> Table:
 
     table = Table("pass", "ms", "buffer", "sha256")
     table.columns[1].justify = "right"
-    for one in method_of(result.scene.settings).passes:
+    for one in method_of(result.scene.settings, result.scene.own_stages).passes:
         kept = [name for name in one.outputs if name in result.hashes]
         digests = [result.hashes[name][:HASH_DIGITS] for name in kept]
         if one.name in result.timings:

@@ -92,10 +92,10 @@ def explain(
     the bottom. interpreter, threads: as in `render`.
     Raises SceneError for a pixel outside the image or a rendering without all buffers, and as `render` does.
     """
-    settings = (scene.scene if isinstance(scene, Result) else scene).settings
-    _check_pixel(pixel, settings.camera)
+    seen = scene.scene if isinstance(scene, Result) else scene
+    _check_pixel(pixel, seen.settings.camera)
     result = scene if isinstance(scene, Result) else render(scene, interpreter, threads)
-    method = method_of(settings)
+    method = method_of(seen.settings, seen.own_stages)
     for missing in (name for name in method.outputs if name not in result.buffers):
         raise SceneError(f'scene: expected all buffers in the rendering, got no {missing}; render with keep="all"')
     rendering = Rendering(result.scene, arrays, None, set(result.buffers))

@@ -12,7 +12,7 @@ from sss_ref.explanation.values import bits, shown
 from sss_ref.interpret.trace import Step
 from sss_ref.language.pipeline import MESH_ATTRIBUTES
 from sss_ref.language.types import mat3, mat4, vec3, vec4
-from sss_ref.passes.buffers import BUFFERS, described
+from sss_ref.passes.buffers import described, is_listed
 
 
 @dataclass(frozen=True)
@@ -95,7 +95,7 @@ def _of_stage(traced: StageTrace, detail: Detail, told: Collection[str] = ()) ->
     where = f" at {traced.at}" if traced.at else ""
     section = Section(2, traced.stage.name + where, f"{traced.stage.source}. {about.splitlines()[0]}")
     section.rows += [row for name, value in traced.reads.items() if name not in told for row in _of_read(name, value)]
-    units = {name: described(name).unit for name in traced.writes if _is_buffer(name)}
+    units = {name: described(name).unit for name in traced.writes if is_listed(name)}
     glsl = glsl_lines(traced) if detail.glsl else lambda step: ""
     section.rows += [row for step in traced.steps for row in _of_step(step, 0, detail.depth, units, glsl)]
     return section
@@ -128,7 +128,3 @@ def _of_step(step: Step, indent: int, depth: int, units: Mapping[str, str], glsl
 
 def _row(kind: str, text: str, value: Any, indent: int = 0, unit: str = "") -> Row:
     return Row(kind, indent, text, shown(value), bits(value), unit)
-
-
-def _is_buffer(name: str) -> bool:
-    return name in BUFFERS or name.rstrip("0123456789").rstrip("_") in BUFFERS

@@ -29,7 +29,7 @@ def draw(scene: Scene, shaders: Mapping[str, Files] | None = None) -> dict[str, 
     A UV layout that overlaps is drawn even where the scene's policy is "error": OpenGL does not tell.
     Raises ShaderError where there is no OpenGL, a shader does not compile, or a pass reads what a shader left out.
     """
-    method = method_of(scene.settings)
+    method = method_of(scene.settings, scene.own_stages)
     passes = {one.name: one for one in method.passes if not one.on_demand}
     for wrong in set(shaders or ()) - set(passes):
         raise ShaderError(f"shaders: expected passes of {method.name} ({', '.join(passes)}), got {wrong!r}")

@@ -32,7 +32,7 @@ def write_bundle(scene: Scene, folder: Path) -> Path:
     Raises DumpError for a folder that cannot be written or is somebody else's.
     """
     folder = writable(folder, _is_bundle, "an earlier bundle")
-    values, method = uniforms(scene), method_of(scene.settings)
+    values, method = uniforms(scene), method_of(scene.settings, scene.own_stages)
     with appearing(folder) as part:
         _write_mesh(scene, part)
         _write_json(part / "uniforms.json", _uniforms(values, method, part))

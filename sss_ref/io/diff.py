@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from sss_ref.errors import DumpError
 from sss_ref.io.folder import read_buffer
 from sss_ref.io.manifest import FILE_NAME, read_manifest
-from sss_ref.passes.buffers import BUFFERS, described
+from sss_ref.passes.buffers import BUFFERS, is_listed
 
 BUFFER_TYPES = ("<f4", "<i4", "|u1")
 CHANNELS = ((), (2,), (3,))  # what follows height and width in a buffer's shape
@@ -129,12 +129,8 @@ def buffer_pair(file_a: Path, file_b: Path) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _check_name(name: str, file: Path) -> None:
-    try:
-        described(name)
-    except KeyError:
-        raise DumpError(
-            f"{file}: expected the name of a buffer ({', '.join(BUFFERS)}), got {name}; rename it"
-        ) from None
+    if not is_listed(name):
+        raise DumpError(f"{file}: expected the name of a buffer ({', '.join(BUFFERS)}), got {name}; rename it")
 
 
 def _stage_order(*folders: Path) -> Callable[[str], int]:

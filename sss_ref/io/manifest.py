@@ -80,6 +80,8 @@ class Manifest(Record):
     """None: one per processor."""
     samples: Annotated[int, Field(ge=1)] = 1
     """n: the image is the average of n x n renderings (see `sss_ref.samples`)."""
+    own_stages: list[str] = []
+    """Stages that others ran in the place of (see `sss_ref.with_stage`), which no file can record."""
     milliseconds: dict[str, float]
     """Pass -> duration."""
     environment: dict[str, str]
@@ -100,6 +102,7 @@ def manifest_of(result: Result, interpreter: str | None, threads: int | None) ->
         interpreter=interpreter,
         threads=threads,
         samples=result.samples if isinstance(result, SampledResult) else 1,
+        own_stages=sorted(scene.own_stages),
         milliseconds={name: round(seconds * 1e3, 3) for name, seconds in result.timings.items()},
         environment=_environment(),
     )

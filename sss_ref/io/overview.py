@@ -69,7 +69,7 @@ def write_overview(path: Path, result: Result) -> None:
 def _tiles(result: Result) -> Iterator[Tile]:
     """The kept buffers in stage order, each with the pass that wrote it."""
     encode = encoding_of(result.scene.settings)
-    for number, one in enumerate(method_of(result.scene.settings).passes):
+    for number, one in enumerate(method_of(result.scene.settings, result.scene.own_stages).passes):
         kept = [name for name in one.outputs if name in result.buffers]
         for name in kept:
             buffer = result.buffers[name]

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from sss_ref.errors import DumpError
 from sss_ref.io.diff import first_difference
 from sss_ref.io.folder import read_buffer
 from sss_ref.io.manifest import BufferRecord, Manifest, read_manifest
@@ -38,6 +39,9 @@ def verify(
     manifest = read_manifest(folder)
     if manifest.rules_version != RULES_VERSION:
         return Verdict(False, f"made under other rules ({manifest.rules_version} -> {RULES_VERSION})")
+    if manifest.own_stages:
+        names = ", ".join(manifest.own_stages)
+        raise DumpError(f"{folder}: expected our stages, got others for {names}; render with them again and use diff")
     changed = [record.file for record in manifest.buffers if _is_changed(record, folder)]
     if changed:
         return Verdict(False, f"the file {changed[0]} was changed since ({_counted(len(changed), 'such file')})")

@@ -48,8 +48,18 @@ BUFFERS = {
 }
 
 
+OWN = Buffer("of a stage of your own")
+
+
+def is_listed(name: str) -> bool:
+    """Whether a buffer is one of ours; those of a kind are numbered: tap_00, tap_01 ..., light_distance_1 ..."""
+    return name in BUFFERS or name.rstrip("0123456789").rstrip("_") in BUFFERS
+
+
 def described(name: str) -> Buffer:
-    """The entry of a buffer; those of a kind are numbered: tap_00, tap_01 ..., light_distance_1 ..."""
+    """The entry of a buffer."""
+    if not is_listed(name):
+        return OWN
     return BUFFERS[name] if name in BUFFERS else BUFFERS[name.rstrip("0123456789").rstrip("_")]
 
 

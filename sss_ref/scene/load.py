@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import Any
 
@@ -38,6 +38,8 @@ class Scene:
     lights: tuple[Light, ...]
     albedo: Mapping[str, NDArray[Any]]  # the uniforms of the surface's colour, see albedo_of
     warnings: tuple[str, ...]  # what is drawn all the same, but may surprise
+    own_stages: Mapping[str, Any] = field(default_factory=dict)  # name of a stage -> the user's in its place
+    own_uniforms: Mapping[str, Any] = field(default_factory=dict)  # what those read: name -> float32
 
     def input_hashes(self) -> dict[str, str]:
         """Name of everything that was read from a mesh or texture file -> its `array_hash` after decoding (rule A5)."""

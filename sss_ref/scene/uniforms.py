@@ -48,7 +48,7 @@ def uniforms(scene: Scene) -> dict[str, Any]:
     }
     rounded = {name: np.array(value, np.float32, order="C") for name, value in values.items()}
     scalars = {name: value if value.ndim else value[()] for name, value in rounded.items()}
-    return {**scalars, **scene.albedo, "tap_count": len(taps)}
+    return {**scalars, **scene.albedo, "tap_count": len(taps), **scene.own_uniforms}
 
 
 def light_uniforms(scene: Scene) -> dict[str, Any]:

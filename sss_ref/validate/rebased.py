@@ -46,7 +46,7 @@ def checks(oracle: Result, dumped: Buffers) -> Iterator[Check]:
     """All buffers of a dump in stage order. oracle: the rendering of the same scene, with all buffers."""
     rendering = Rendering(oracle.scene, arrays, None, set())
     rendering.buffers = {**oracle.buffers, **dumped}
-    for one in method_of(oracle.scene.settings).passes:
+    for one in method_of(oracle.scene.settings, oracle.scene.own_stages).passes:
         if not one.on_demand and set(one.outputs) & set(dumped):
             yield from _checks_of_pass(rendering, one, oracle, dumped)
 

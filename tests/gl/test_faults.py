@@ -1,5 +1,9 @@
 """Shaders with one fault each, drawn on a software OpenGL: the stage with the fault is named, and right ones pass."""
 
+from dataclasses import replace
+from pathlib import Path
+from runpy import run_path
+
 import pytest
 from opengl import needs_mesa
 from scenes import around, two_slabs, written
@@ -93,6 +97,16 @@ def test_our_own_shaders_pass(name):
     found = verdict_on(loaded, render(loaded, interpreter="arrays"), None)
     assert found.passed, found.summary
     assert not found.missing
+
+
+def test_a_stage_of_ones_own_is_drawn_and_judged_like_ours():
+    example = Path(__file__).parents[2] / "examples" / "beer_lambert.py"
+    scene = run_path(str(example))["scene"]
+    changes = {f"{t}.{s}": 64 for t in ("camera", "shadow_map") for s in ("width", "height")}
+    loaded = load_scene("figure3_with", **changes)
+    small = replace(loaded, own_stages=scene.own_stages, own_uniforms=scene.own_uniforms)
+    found = verdict_on(small, render(small, interpreter="arrays"), None)
+    assert found.passed and "transmittance" in {one.buffer for one in found.verdicts}
 
 
 def test_on_the_command_line(tmp_path, capsys):
