@@ -47,7 +47,18 @@ MAY_IMPORT = {
     "explanation": {"language", "raster", "interpret", "passes", "scene", "methods", "result", "rendering"},
     "gl": {"interpret", "language", "passes", "scene", "methods"},
     "io": {"language", "interpret", "passes", "scene", "methods", "result", "rendering", "samples"},
-    "validate": {"language", "raster", "interpret", "methods", "result", "rendering", "io"},
+    "validate": {
+        "language",
+        "raster",
+        "interpret",
+        "passes",
+        "scene",
+        "methods",
+        "result",
+        "rendering",
+        "explanation",
+        "io",
+    },
     "cli": {"language", "passes", "scene", "methods", "result", "rendering", "explanation", "io"},
 }
 

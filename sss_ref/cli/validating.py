@@ -36,8 +36,7 @@ def validate(
     from sss_ref.gl.shaders import shader_folder
     from sss_ref.rendering import render
     from sss_ref.scene.load import load_scene
-    from sss_ref.validate.rebased import checks
-    from sss_ref.validate.verdict import report
+    from sss_ref.validate.validation import validate as validate_buffers
 
     if not run_glsl:
         raise ShaderError("validate: expected --run-glsl, got none; add it")
@@ -48,11 +47,13 @@ def validate(
         drawn = draw(loaded, theirs)
         oracle = render(loaded, execution.interpreter, execution.threads, on_pass=lambda name: show(f"pass {name}"))
         show("comparing")
-        found = report(checks(oracle, drawn), list(oracle.buffers))
+        found = validate_buffers(oracle, drawn)
     out.print(_table(found))
     if found.missing:
         out.print(f"not drawn: {', '.join(found.missing)}")
     out.print(found.summary, markup=False)
+    for hypothesis in found.finding.hypotheses if found.finding else ():
+        out.print(f"  explained on {hypothesis.share:.1%} of the pixels looked at: {hypothesis.text}", markup=False)
     return 0 if found.passed else DIFFERS
 
 

@@ -10,11 +10,10 @@ from sss_ref.errors import SceneError
 from sss_ref.explanation.places import Place, place_of
 from sss_ref.interpret import arrays
 from sss_ref.interpret.arrays import draw_values, stage_input
-from sss_ref.interpret.trace import Step, trace
+from sss_ref.interpret.trace import Step, scalar, trace
 from sss_ref.interpret.work import Fragments, Work, uniform_value
 from sss_ref.language.pipeline import MESH_ATTRIBUTES, MeshDraw, Pass
 from sss_ref.language.stage import Stage
-from sss_ref.language.types import Vector
 from sss_ref.methods.catalogue import method_of
 from sss_ref.raster.interpolate import weights_arrays
 from sss_ref.rendering import Rendering, render
@@ -126,7 +125,7 @@ def _traced(rendering: Rendering, one: Pass, place: Place) -> PassTrace:
         return PassTrace(one.name, replace(place, reason=f"{place.reason}; nothing is drawn there"), None, ())
     work = Work(one, fragments, rendering.uniforms, _inputs(rendering, one, fragments), {}, {})
     at = np.array([row]), np.array([column])
-    values = {name: _scalar(value) for name, value in draw_values(work, *at).items()}
+    values = {name: scalar(value) for name, value in draw_values(work, *at).items()}
     drawn = _drawn(rendering, work, place.pixel, values) if isinstance(one.draw, MeshDraw) else None
     return PassTrace(one.name, place, drawn, tuple(_stages(work, at, values)))
 
@@ -144,7 +143,7 @@ def _stages(work: Work, at: tuple[np.ndarray, np.ndarray], values: dict[str, Any
     """Trace the stages one after the other; `values` gets what they write."""
     for stage in work.one.stages:
         kinds = stage.parameters.items()
-        inputs = [_scalar(stage_input(work, values, stage.reads[own], kind, at)) for own, kind in kinds]
+        inputs = [scalar(stage_input(work, values, stage.reads[own], kind, at)) for own, kind in kinds]
         steps, writes = trace(stage, inputs)
         values |= writes
         yield StageTrace(stage, dict(zip(stage.reads.values(), inputs, strict=True)), steps, writes)
@@ -179,10 +178,3 @@ def _vertex(rendering: Rendering, stage: Stage, vertex: int) -> StageTrace:
     ]
     steps, writes = trace(stage, inputs)
     return StageTrace(stage, dict(zip(stage.reads.values(), inputs, strict=True)), steps, writes, f"vertex {vertex}")
-
-
-def _scalar(value: Any) -> Any:
-    """A value of one fragment, which array code holds in arrays of one element."""
-    if isinstance(value, Vector):
-        return type(value)(*map(_scalar, value))
-    return value[0] if isinstance(value, np.ndarray) else value

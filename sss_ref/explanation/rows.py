@@ -70,11 +70,11 @@ def _of_pass(one: PassTrace, detail: Detail) -> Iterator[Section]:
     if one.drawn:
         told: set[str] = set()  # the uniforms are the same at every corner
         for vertex in one.drawn.vertices:
-            yield _of_stage(vertex, detail, told)
+            yield section_of(vertex, detail, told)
             told = set(vertex.reads) - set(MESH_ATTRIBUTES)
         yield _of_draw(one.drawn)
     for traced in one.stages:
-        yield _of_stage(traced, detail)
+        yield section_of(traced, detail)
 
 
 def _of_draw(drawn: Drawn) -> Section:
@@ -89,7 +89,7 @@ def _of_draw(drawn: Drawn) -> Section:
     return section
 
 
-def _of_stage(traced: StageTrace, detail: Detail, told: Collection[str] = ()) -> Section:
+def section_of(traced: StageTrace, detail: Detail, told: Collection[str] = ()) -> Section:
     """A stage: what it reads, but for what was told before, and its lines."""
     about = inspect.getdoc(traced.stage.python) or ""
     where = f" at {traced.at}" if traced.at else ""

@@ -13,6 +13,7 @@ import numpy as np
 from sss_ref.language import tree
 from sss_ref.language.notation import written
 from sss_ref.language.stage import Stage
+from sss_ref.language.types import Vector
 
 OPERATORS: dict[str, Callable[..., Any]] = {
     "+": operator.add,
@@ -61,6 +62,11 @@ def trace(stage: Stage, inputs: Sequence[Any]) -> tuple[tuple[Step, ...], dict[s
     with np.errstate(all="ignore"):
         results = lines.run(stage.body, stage.writes)
     return tuple(lines.steps), {stage.writes[own]: value for own, value in results.items()}
+
+
+def run_body(body: tree.Body, names: Mapping[str, Any]) -> dict[str, Any]:
+    """Run a body and keep no steps: output -> value. names: parameter -> value; arrays of fragments do as well."""
+    return _Lines(dict(names)).run(body, {})
 
 
 class _Lines:
@@ -135,3 +141,10 @@ class _Lines:
         """Note what a part of the line at work gives."""
         self.calls.append(Step("", expression, value, inner))
         return value
+
+
+def scalar(value: Any) -> Any:
+    """A value of one fragment, which array code holds in arrays of one element."""
+    if isinstance(value, Vector):
+        return type(value)(*map(scalar, value))
+    return value[0] if isinstance(value, np.ndarray) else value

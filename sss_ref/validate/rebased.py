@@ -22,6 +22,7 @@ from sss_ref.rendering import Rendering
 from sss_ref.result import Result
 
 Buffers = Mapping[str, np.ndarray]
+Pixels = tuple[np.ndarray, np.ndarray]  # rows, columns
 RASTERIZER = "rasterizer"  # the name under which what the draw itself writes is judged
 
 
@@ -42,17 +43,29 @@ class Check:
     reach: np.ndarray
 
 
-def checks(oracle: Result, dumped: Buffers) -> Iterator[Check]:
-    """All buffers of a dump in stage order. oracle: the rendering of the same scene, with all buffers."""
+def rebased(oracle: Result, dumped: Buffers) -> Rendering:
+    """The rendering that stands where the dump does: with its buffers, and the oracle's where it has none."""
     rendering = Rendering(oracle.scene, arrays, None, set())
     rendering.buffers = {**oracle.buffers, **dumped}
+    return rendering
+
+
+def work_of(rendering: Rendering, one: Pass) -> Work:
+    """A pass of that rendering, ready to be run at single pixels."""
+    return Work(one, rendering.draw(one)[0], rendering.uniforms, rendering.buffers, {}, {})
+
+
+def checks(oracle: Result, dumped: Buffers) -> Iterator[Check]:
+    """All buffers of a dump in stage order. oracle: the rendering of the same scene, with all buffers."""
+    rendering = rebased(oracle, dumped)
     for one in method_of(oracle.scene.settings, oracle.scene.own_stages).passes:
         if not one.on_demand and set(one.outputs) & set(dumped):
             yield from _checks_of_pass(rendering, one, oracle, dumped)
 
 
 def _checks_of_pass(rendering: Rendering, one: Pass, oracle: Result, dumped: Buffers) -> Iterator[Check]:
-    fragments, _ = rendering.draw(one)
+    work = work_of(rendering, one)
+    fragments = work.fragments
     for name in (name for name in one.draw.outputs if name in dumped):
         yield _check_of_draw(one, name, fragments, oracle[name], dumped[name])
     if one.feedback:
@@ -60,7 +73,6 @@ def _checks_of_pass(rendering: Rendering, one: Pass, oracle: Result, dumped: Buf
         return
     where = _comparable(one, fragments, oracle, dumped)
     found = {name: _empty(dumped[name]) for name in one.outputs if name in dumped and name not in one.draw.outputs}
-    work = Work(one, fragments, rendering.uniforms, rendering.buffers, {}, {})
     rows, columns = np.nonzero(where)
     for start in range(0, len(rows), CHUNK):
         _run(work, (rows[start : start + CHUNK], columns[start : start + CHUNK]), dumped, found)
@@ -89,22 +101,44 @@ def _comparable(one: Pass, fragments: Fragments, oracle: Result, dumped: Buffers
     return where
 
 
-def _run(work: Work, at: tuple[np.ndarray, np.ndarray], dumped: Buffers, found: Mapping[str, Any]) -> None:
-    """Run the stages of a pass at some pixels and note what each should have written, and how near that must be."""
+@dataclass(frozen=True)
+class Step:
+    """A stage at some pixels. moved: what it gives where a varying is a little beside, for those that change it."""
+
+    stage: Stage
+    inputs: list[Any]
+    results: dict[str, Any]
+    moved: list[dict[str, Any]]
+
+
+def walk(work: Work, at: Pixels, dumped: Buffers) -> Iterator[Step]:
+    """Run the stages of a pass at some pixels, each with what was dumped of the stages before it."""
     values = draw_values(work, *at)
-    moved = _moved_varyings(work, at, values)
+    beside = _moved_varyings(work, at, values)
     for stage in work.one.stages:
         inputs, results = _called(work, stage, values, at)
-        for other in moved:  # what a varying a little beside would have changed so far
-            if set(stage.reads.values()) & set(other):
-                other |= _called(work, stage, values | other, at)[1]
-        for own, name in ((own, name) for own, name in stage.writes.items() if name in found):
-            expected, reach = found[name]
-            base, others = _stack(results[name]), [_stack(other.pop(name)) for other in moved if name in other]
-            expected[at] = _shaped(base, expected)
-            reach[at] = _shaped(reach_of(base, others, inputs), reach)
-            results[name] = buffer_value(stage.outputs[own], dumped[name], *at)
+        moved = [
+            _called(work, stage, values | other, at)[1] if set(stage.reads.values()) & set(other) else {}
+            for other in beside
+        ]
+        yield Step(stage, inputs, results, [each for each in moved if each])
         values |= results
+        for other, each in zip(beside, moved, strict=True):
+            other |= each
+        for own, name in ((own, name) for own, name in stage.writes.items() if name in dumped):
+            values[name] = buffer_value(stage.outputs[own], dumped[name], *at)
+            for other in beside:
+                other.pop(name, None)
+
+
+def _run(work: Work, at: Pixels, dumped: Buffers, found: Mapping[str, Any]) -> None:
+    """Note what each stage of a pass should have written at some pixels, and how near that must be."""
+    for step in walk(work, at, dumped):
+        for name in (name for name in step.results if name in found):
+            expected, reach = found[name]
+            base = stacked(step.results[name])
+            expected[at] = _shaped(base, expected)
+            reach[at] = _shaped(reach_of(base, [stacked(each[name]) for each in step.moved], step.inputs), reach)
 
 
 def reach_of(expected: np.ndarray, moved: list[np.ndarray], inputs: list[Any]) -> np.ndarray:
@@ -119,21 +153,19 @@ def reach_of(expected: np.ndarray, moved: list[np.ndarray], inputs: list[Any]) -
     exact = expected.astype(np.float64)
     largest_in = 0.0
     for value in filter(_is_float, inputs):
-        largest_in = np.maximum(largest_in, np.abs(_stack(value)).max(axis=-1, keepdims=True))
+        largest_in = np.maximum(largest_in, np.abs(stacked(value)).max(axis=-1, keepdims=True))
     apart = sum((np.abs(each - exact) for each in moved), np.zeros(exact.shape))
     return 1.5 * apart + 1e-5 * np.abs(exact).max(axis=-1, keepdims=True) + 2.0**-20 * largest_in
 
 
-def _called(
-    work: Work, stage: Stage, values: Mapping[str, Any], at: tuple[np.ndarray, np.ndarray]
-) -> tuple[list[Any], dict[str, Any]]:
+def _called(work: Work, stage: Stage, values: Mapping[str, Any], at: Pixels) -> tuple[list[Any], dict[str, Any]]:
     """What a stage reads, in order, and name -> what it writes."""
     inputs = [stage_input(work, values, stage.reads[own], kind, at) for own, kind in stage.parameters.items()]
     with np.errstate(all="ignore"):
         return inputs, dict(zip(stage.writes.values(), stage(*inputs), strict=True))
 
 
-def _moved_varyings(work: Work, at: tuple[np.ndarray, np.ndarray], values: Mapping[str, Any]) -> list[dict[str, Any]]:
+def _moved_varyings(work: Work, at: Pixels, values: Mapping[str, Any]) -> list[dict[str, Any]]:
     """One dictionary for each component of each varying, with that component moved by half a subpixel."""
     fragments = work.fragments
     if fragments.primitives is None or fragments.piece is None:
@@ -169,7 +201,7 @@ def _is_float(value: Any) -> bool:
     return all(np.asarray(part).dtype == np.float32 for part in components(value))
 
 
-def _stack(value: Any) -> np.ndarray:
+def stacked(value: Any) -> np.ndarray:
     """The components of a value side by side: (N, C), or (1, C) for a uniform."""
     return np.stack([np.atleast_1d(part) for part in components(value)], axis=-1)
 

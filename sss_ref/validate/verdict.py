@@ -1,11 +1,13 @@
 """What is said of each buffer, and of the whole: which stage is the first that is wrong."""
 
-from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+from sss_ref.explanation.rows import Section
 from sss_ref.io.diff import ULP_CLASSES, bits, ulp_class
+from sss_ref.validate.hypotheses import Hypothesis
 from sss_ref.validate.rebased import Check
 
 SHARE = 0.999  # of the compared pixels that must be within reach: on the border of two texels either may be read
@@ -13,7 +15,11 @@ SHARE = 0.999  # of the compared pixels that must be within reach: on the border
 
 @dataclass(frozen=True)
 class Verdict:
-    """One buffer. ulps: values in each of ULP_CLASSES. worst: the pixel that lies farthest beyond its reach, if any."""
+    """One buffer.
+
+    ulps: values in each of ULP_CLASSES. worst, worst_pixel: what lies farthest beyond its reach, if anything does, in
+    words and as (column, row).
+    """
 
     pass_name: str
     stage: str
@@ -23,6 +29,7 @@ class Verdict:
     within: int  # pixels within reach
     ulps: tuple[int, ...]
     worst: str | None
+    worst_pixel: tuple[int, int] | None
 
     @property
     def passed(self) -> bool:
@@ -31,11 +38,25 @@ class Verdict:
 
 
 @dataclass(frozen=True)
+class Finding:
+    """What was found out about the first stage that is wrong.
+
+    check: its buffer beside what should be in it. hypotheses: what would explain it. section: the stage at the worst
+    pixel, line by line, as it should have been; None for what the rasterizer wrote.
+    """
+
+    check: Check
+    hypotheses: tuple[Hypothesis, ...]
+    section: Section | None
+
+
+@dataclass(frozen=True)
 class Report:
-    """The verdicts in stage order, and what could not be judged. missing: buffers that were not dumped."""
+    """The verdicts in stage order. missing: buffers that were not dumped. finding: None if all is right."""
 
     verdicts: tuple[Verdict, ...]
     missing: tuple[str, ...]
+    finding: Finding | None = None
 
     @property
     def culprit(self) -> Verdict | None:
@@ -84,26 +105,21 @@ def judged(check: Check) -> Verdict:
         int(equal.sum()),
         int(within.sum()),
         tuple(classes.tolist()),
-        None if within.all() else _worst(check, apart, reach, within),
+        *_worst(check, apart, reach, within),
     )
 
 
-def _worst(check: Check, apart: np.ndarray, reach: np.ndarray, within: np.ndarray) -> str:
-    """The pixel with the largest difference in units of its reach."""
+def _worst(check: Check, apart: np.ndarray, reach: np.ndarray, within: np.ndarray) -> tuple[Any, Any]:
+    """The pixel that lies farthest beyond its reach, in words and as (column, row); None, None if none does."""
+    if within.all():
+        return None, None
     beyond = np.where(np.isfinite(apart), apart - reach, np.inf)
     index = int(np.argmax(np.where(within, -np.inf, beyond.max(axis=-1))))
-    row, column = np.argwhere(check.where)[index]
+    row, column = np.argwhere(check.where)[index].tolist()
     expected, got = (_shown(array[row, column]) for array in (check.expected, check.got))
-    return f"worst at pixel {column},{row} (row 0 at the bottom): {got}, expected {expected}"
+    return f"worst at pixel {column},{row} (row 0 at the bottom): {got}, expected {expected}", (column, row)
 
 
 def _shown(pixel: np.ndarray) -> str:
     parts = [str(part) for part in np.atleast_1d(pixel)]
     return parts[0] if len(parts) == 1 else f"({', '.join(parts)})"
-
-
-def report(checks: Iterable[Check], buffers: Iterable[str]) -> Report:
-    """The verdicts on all checks. buffers: the names of everything that could have been dumped, in order."""
-    verdicts = tuple(map(judged, checks))
-    there = {verdict.buffer for verdict in verdicts}
-    return Report(verdicts, tuple(name for name in buffers if name not in there))

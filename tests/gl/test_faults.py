@@ -15,8 +15,7 @@ from sss_ref.methods.catalogue import method_of
 from sss_ref.rendering import render
 from sss_ref.scene.load import load_scene
 from sss_ref.scene.uniforms import uniforms
-from sss_ref.validate.rebased import checks
-from sss_ref.validate.verdict import report
+from sss_ref.validate.validation import validate
 
 pytestmark = needs_mesa
 
@@ -55,7 +54,7 @@ def oracle(scene):
 
 
 def verdict_on(scene, oracle, shaders):
-    return report(checks(oracle, draw(scene, shaders)), list(oracle.buffers))
+    return validate(oracle, draw(scene, shaders))
 
 
 def changed(scene, folder, old, new):

@@ -7,8 +7,8 @@ from scenes import around, sphere, two_slabs, written
 from sss_ref.raster.primitives import assemble
 from sss_ref.rendering import render
 from sss_ref.scene.load import load_scene
-from sss_ref.validate.rebased import RASTERIZER, checks, half_subpixel, reach_of
-from sss_ref.validate.verdict import report
+from sss_ref.validate.rebased import RASTERIZER, half_subpixel, reach_of
+from sss_ref.validate.validation import validate
 
 METHODS = ("screen_space", "texture_space")
 
@@ -34,7 +34,7 @@ def drawn(scene):
 
 
 def verdict_on(dumped, oracle):
-    return report(checks(oracle, dumped), list(oracle.buffers))
+    return validate(oracle, dumped)
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -1,0 +1,68 @@
+"""The question itself: is this what a right implementation draws, and if not, where does it go wrong."""
+
+from functools import cache
+from importlib import import_module
+from pkgutil import iter_modules
+
+import numpy as np
+
+import sss_ref.passes
+from sss_ref.explanation.explain import StageTrace
+from sss_ref.explanation.rows import Detail, Section, section_of
+from sss_ref.interpret.trace import scalar, trace
+from sss_ref.interpret.work import Work
+from sss_ref.language import Stage
+from sss_ref.methods.catalogue import method_of
+from sss_ref.rendering import render
+from sss_ref.result import Result
+from sss_ref.scene.load import Scene
+from sss_ref.validate.hypotheses import hypotheses
+from sss_ref.validate.rebased import Buffers, Check, checks, rebased, walk, work_of
+from sss_ref.validate.verdict import Finding, Report, judged
+
+
+def validate(scene: Scene | Result, buffers: Buffers) -> Report:
+    """Hold the buffers of another implementation against the stages, one stage at a time.
+
+    scene: what was drawn, or its rendering with all buffers. buffers: name -> array as in `Result`, row 0 at the
+    bottom: (H, W) or (H, W, C), float32, int32 or uint8; any of the method's, the more the nearer the culprit.
+    """
+    oracle = scene if isinstance(scene, Result) else render(scene)
+    verdicts, wrong = [], None
+    for check in checks(oracle, buffers):
+        verdicts.append(judged(check))
+        if wrong is None and not verdicts[-1].passed:
+            wrong = check
+    there = {verdict.buffer for verdict in verdicts}
+    missing = tuple(name for name in oracle.buffers if name not in there)
+    return Report(tuple(verdicts), missing, _finding(oracle, buffers, wrong) if wrong else None)
+
+
+def _finding(oracle: Result, buffers: Buffers, check: Check) -> Finding:
+    """Look closer at what is wrong."""
+    rendering = rebased(oracle, buffers)
+    scene = oracle.scene
+    (one,) = (each for each in method_of(scene.settings, scene.own_stages).passes if each.name == check.pass_name)
+    work = work_of(rendering, one)
+    found = hypotheses(check, work, buffers, _all_stages()) if check.where.any() else []
+    return Finding(check, tuple(found), _worst_section(check, work, buffers))
+
+
+def _worst_section(check: Check, work: Work, buffers: Buffers) -> Section | None:
+    """The stage at the worst pixel, with what was dumped before it."""
+    pixel = judged(check).worst_pixel
+    if pixel is None or check.stage not in {stage.name for stage in work.one.stages}:
+        return None
+    at = np.array([pixel[1]]), np.array([pixel[0]])
+    step = next(step for step in walk(work, at, buffers) if check.buffer in step.results)
+    inputs = [scalar(value) for value in step.inputs]
+    steps, writes = trace(step.stage, inputs)
+    traced = StageTrace(step.stage, dict(zip(step.stage.reads.values(), inputs, strict=True)), steps, writes)
+    return section_of(traced, Detail(depth=1, glsl=True))
+
+
+@cache
+def _all_stages() -> dict[str, Stage]:
+    """Every stage of the package by name."""
+    modules = [import_module(f"sss_ref.passes.{each.name}") for each in iter_modules(sss_ref.passes.__path__)]
+    return {value.name: value for module in modules for value in vars(module).values() if isinstance(value, Stage)}
