@@ -22,6 +22,7 @@ FOUND_BY_TYPE = {
     "union_tag_invalid": ("a type {expected_tags}", "choose one of these"),
     "union_tag_not_found": ("a type", 'add type = "orbit", "look_at" or "free"'),
     "missing": ("a value", "add it"),
+    "dict_type": ("a table", "give its keys, each with a value"),
     "model_type": ("a table", "give its keys, each with a value"),
     "model_attributes_type": ("a table", "give its keys, each with a value"),
 }
@@ -30,9 +31,13 @@ FOUND_BY_TYPE = {
 CHOICES: tuple[KeyPath, ...] = (("camera",), ("mesh", "color"), ("blur", "kernel"))
 
 
-def unmet(expected: str, remedy: str) -> PydanticCustomError:
-    """The error a validator raises: what it expected and what to do; `described` adds the rest."""
-    return PydanticCustomError("unmet", "expected {expected}; {remedy}", {"expected": expected, "remedy": remedy})
+def unmet(expected: str, remedy: str, came: str | None = None) -> PydanticCustomError:
+    """The error a validator raises: what it expected and what to do; `described` adds the rest.
+
+    came: what to say instead of the value.
+    """
+    context = {"expected": expected, "remedy": remedy, "came": came}
+    return PydanticCustomError("unmet", "expected {expected}; {remedy}", context)
 
 
 def unmet_at(key: KeyPath, expected: str, came: str, remedy: str) -> PydanticCustomError:
@@ -54,7 +59,7 @@ def described(error: ErrorDetails, known: Iterable[str]) -> tuple[KeyPath, str]:
     context = error.get("ctx", {})
     path = context.get("key") or key_path(error["loc"])
     if error["type"] == "extra_forbidden":
-        return path, told(written(path), "a known key", "this one", _nearest(str(path[-1]), known))
+        return path, told(written(path), "a known key", "this one", nearest(str(path[-1]), known))
     expected, remedy = _expectation(error)
     came = "nothing" if error["type"] == "missing" else context.get("came") or shown(error["input"])
     return path, told(written(path), expected, came, remedy)
@@ -91,7 +96,8 @@ def _expectation(error: ErrorDetails) -> tuple[str, str]:
     return expected.format(**context).replace("'", '"'), remedy
 
 
-def _nearest(key: str, known: Iterable[str]) -> str:
+def nearest(key: str, known: Iterable[str]) -> str:
+    """What to do about an unknown key: take the known one that is nearest, or none."""
     known = sorted(known)
     near = difflib.get_close_matches(key, known, n=1)
     return f"did you mean {near[0]}?" if near else f"remove it (known here: {', '.join(known)})"
