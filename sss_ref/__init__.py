@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from sss_ref.rendering import render
     from sss_ref.result import Result
     from sss_ref.scene.load import Scene, load_scene
+    from sss_ref.validation.stage_by_stage import assert_valid, validate
 
 _HOMES = {
     "DumpError": "sss_ref.errors",
@@ -32,6 +33,8 @@ _HOMES = {
     "explain": "sss_ref.explanation.explain",
     "load_scene": "sss_ref.scene.load",
     "render": "sss_ref.rendering",
+    "assert_valid": "sss_ref.validation.stage_by_stage",
+    "validate": "sss_ref.validation.stage_by_stage",
     "with_stage": "sss_ref.own_stage",
 }
 
@@ -44,9 +47,11 @@ __all__ = [
     "SceneError",
     "SssRefError",
     "StageError",
+    "assert_valid",
     "explain",
     "load_scene",
     "render",
+    "validate",
     "with_stage",
 ]
 

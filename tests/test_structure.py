@@ -47,7 +47,7 @@ MAY_IMPORT = {
     "explanation": {"language", "raster", "interpret", "passes", "scene", "methods", "result", "rendering"},
     "gl": {"interpret", "language", "passes", "scene", "methods"},
     "io": {"language", "interpret", "passes", "scene", "methods", "result", "rendering", "samples"},
-    "validate": {
+    "validation": {
         "language",
         "raster",
         "interpret",
@@ -106,7 +106,7 @@ def test_the_direction_has_no_circle():
         "explanation",
         "gl",
         "io",
-        "validate",
+        "validation",
         "cli",
     ]
     assert sorted(order) == sorted(MAY_IMPORT)

@@ -15,7 +15,7 @@ from sss_ref.methods.catalogue import method_of
 from sss_ref.rendering import render
 from sss_ref.scene.load import load_scene
 from sss_ref.scene.uniforms import uniforms
-from sss_ref.validate.validation import validate
+from sss_ref.validation.stage_by_stage import validate
 
 pytestmark = needs_mesa
 

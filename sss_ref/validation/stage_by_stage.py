@@ -1,5 +1,6 @@
 """The question itself: is this what a right implementation draws, and if not, where does it go wrong."""
 
+from dataclasses import replace
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
@@ -7,6 +8,7 @@ from pkgutil import iter_modules
 import numpy as np
 
 import sss_ref.passes
+from sss_ref.errors import SceneError
 from sss_ref.explanation.explain import StageTrace
 from sss_ref.explanation.rows import Detail, Section, section_of
 from sss_ref.interpret.trace import scalar, trace
@@ -16,35 +18,64 @@ from sss_ref.methods.catalogue import method_of
 from sss_ref.rendering import render
 from sss_ref.result import Result
 from sss_ref.scene.load import Scene
-from sss_ref.validate.hypotheses import hypotheses
-from sss_ref.validate.rebased import Buffers, Check, checks, rebased, walk, work_of
-from sss_ref.validate.verdict import Finding, Report, judged
+from sss_ref.validation.hypotheses import hypotheses
+from sss_ref.validation.rebased import Buffers, Check, Stored, checks, rebased, walk, work_of
+from sss_ref.validation.storage import STEPS
+from sss_ref.validation.verdict import Finding, Report, judged
 
 
-def validate(scene: Scene | Result, buffers: Buffers) -> Report:
+def validate(
+    scene: Scene | Result,
+    buffers: Buffers,
+    stored: Stored | None = None,
+    only: np.ndarray | None = None,
+) -> Report:
     """Hold the buffers of another implementation against the stages, one stage at a time.
 
     scene: what was drawn, or its rendering with all buffers. buffers: name -> array as in `Result`, row 0 at the
     bottom: (H, W) or (H, W, C), float32, int32 or uint8; any of the method's, the more the nearer the culprit.
+    stored: buffer -> what its texture holds where that is less than float32: "float16", "unorm8", "unorm16", "srgb8".
+    only: bool (H, W) of the camera's size, the pixels of its buffers that are judged.
+    Raises SceneError where a buffer is not one of the scene, or not of its type and size.
     """
     oracle = scene if isinstance(scene, Result) else render(scene)
+    _check_buffers(oracle, buffers)
+    kept = {name: storage for name, storage in (stored or {}).items() if storage in STEPS}
     verdicts, wrong = [], None
-    for check in checks(oracle, buffers):
+    for check in checks(oracle, buffers, kept):
+        if only is not None and check.where.shape == only.shape:
+            check = replace(check, where=check.where & only)
         verdicts.append(judged(check))
         if wrong is None and not verdicts[-1].passed:
             wrong = check
     there = {verdict.buffer for verdict in verdicts}
     missing = tuple(name for name in oracle.buffers if name not in there)
-    return Report(tuple(verdicts), missing, _finding(oracle, buffers, wrong) if wrong else None)
+    return Report(tuple(verdicts), missing, _finding(oracle, buffers, kept, wrong) if wrong else None)
 
 
-def _finding(oracle: Result, buffers: Buffers, check: Check) -> Finding:
+def assert_valid(scene: Scene | Result, buffers: Buffers, stored: Stored | None = None) -> None:
+    """For tests: raise AssertionError, with the report's summary and what would explain it, unless all is right."""
+    report = validate(scene, buffers, stored)
+    assert report.passed, "\n".join([report.summary, *report.explanations])
+
+
+def _check_buffers(oracle: Result, buffers: Buffers) -> None:
+    for name, buffer in buffers.items():
+        if name not in oracle.buffers:
+            raise SceneError(f"buffers: expected names of {', '.join(oracle.buffers)}, got {name!r}")
+        ours = oracle[name]
+        if (buffer.shape, buffer.dtype) != (ours.shape, ours.dtype):
+            form = f"{ours.dtype} {ours.shape}"
+            raise SceneError(f"buffers: expected {name} as {form}, got {buffer.dtype} {buffer.shape}; convert it")
+
+
+def _finding(oracle: Result, buffers: Buffers, stored: Stored, check: Check) -> Finding:
     """Look closer at what is wrong."""
     rendering = rebased(oracle, buffers)
     scene = oracle.scene
     (one,) = (each for each in method_of(scene.settings, scene.own_stages).passes if each.name == check.pass_name)
     work = work_of(rendering, one)
-    found = hypotheses(check, work, buffers, _all_stages()) if check.where.any() else []
+    found = hypotheses(check, work, buffers, stored, _all_stages()) if check.where.any() else []
     return Finding(check, tuple(found), _worst_section(check, work, buffers))
 
 
@@ -54,7 +85,7 @@ def _worst_section(check: Check, work: Work, buffers: Buffers) -> Section | None
     if pixel is None or check.stage not in {stage.name for stage in work.one.stages}:
         return None
     at = np.array([pixel[1]]), np.array([pixel[0]])
-    step = next(step for step in walk(work, at, buffers) if check.buffer in step.results)
+    step = next(step for step in walk(work, at, buffers, {}) if check.buffer in step.results)
     inputs = [scalar(value) for value in step.inputs]
     steps, writes = trace(step.stage, inputs)
     traced = StageTrace(step.stage, dict(zip(step.stage.reads.values(), inputs, strict=True)), steps, writes)

@@ -7,8 +7,8 @@ import numpy as np
 
 from sss_ref.explanation.rows import Section
 from sss_ref.io.diff import ULP_CLASSES, bits, ulp_class
-from sss_ref.validate.hypotheses import Hypothesis
-from sss_ref.validate.rebased import Check
+from sss_ref.validation.hypotheses import Hypothesis
+from sss_ref.validation.rebased import Check
 
 SHARE = 0.999  # of the compared pixels that must be within reach: on the border of two texels either may be read
 
@@ -67,6 +67,12 @@ class Report:
     def passed(self) -> bool:
         """Whether there are verdicts and all are good."""
         return bool(self.verdicts) and self.culprit is None
+
+    @property
+    def explanations(self) -> list[str]:
+        """What would explain the failure, in sentences."""
+        found = self.finding.hypotheses if self.finding else ()
+        return [f"explained on {each.share:.1%} of the pixels tried: {each.text}" for each in found]
 
     @property
     def summary(self) -> str:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sss_ref.validate.rebased import Check
+from sss_ref.validation.rebased import Check
 
 
 def passages(check: Check) -> Iterator[tuple[str, float]]:

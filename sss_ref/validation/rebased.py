@@ -5,7 +5,7 @@ of the same pass handed on, if it was dumped. What was not dumped comes from the
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -20,8 +20,10 @@ from sss_ref.methods.catalogue import method_of
 from sss_ref.raster.primitives import Primitives
 from sss_ref.rendering import Rendering
 from sss_ref.result import Result
+from sss_ref.validation.storage import step_of
 
 Buffers = Mapping[str, np.ndarray]
+Stored = Mapping[str, str]  # buffer -> its storage, of those that are not in float32
 Pixels = tuple[np.ndarray, np.ndarray]  # rows, columns
 RASTERIZER = "rasterizer"  # the name under which what the draw itself writes is judged
 
@@ -55,15 +57,19 @@ def work_of(rendering: Rendering, one: Pass) -> Work:
     return Work(one, rendering.draw(one)[0], rendering.uniforms, rendering.buffers, {}, {})
 
 
-def checks(oracle: Result, dumped: Buffers) -> Iterator[Check]:
+def checks(oracle: Result, dumped: Buffers, stored: Stored) -> Iterator[Check]:
     """All buffers of a dump in stage order. oracle: the rendering of the same scene, with all buffers."""
     rendering = rebased(oracle, dumped)
     for one in method_of(oracle.scene.settings, oracle.scene.own_stages).passes:
         if not one.on_demand and set(one.outputs) & set(dumped):
-            yield from _checks_of_pass(rendering, one, oracle, dumped)
+            for check in _checks_of_pass(rendering, one, oracle, dumped, stored):
+                rounding = step_of(stored.get(check.buffer, ""), check.expected)
+                yield replace(check, reach=check.reach + rounding)
 
 
-def _checks_of_pass(rendering: Rendering, one: Pass, oracle: Result, dumped: Buffers) -> Iterator[Check]:
+def _checks_of_pass(
+    rendering: Rendering, one: Pass, oracle: Result, dumped: Buffers, stored: Stored
+) -> Iterator[Check]:
     work = work_of(rendering, one)
     fragments = work.fragments
     for name in (name for name in one.draw.outputs if name in dumped):
@@ -75,7 +81,8 @@ def _checks_of_pass(rendering: Rendering, one: Pass, oracle: Result, dumped: Buf
     found = {name: _empty(dumped[name]) for name in one.outputs if name in dumped and name not in one.draw.outputs}
     rows, columns = np.nonzero(where)
     for start in range(0, len(rows), CHUNK):
-        _run(work, (rows[start : start + CHUNK], columns[start : start + CHUNK]), dumped, found)
+        at = rows[start : start + CHUNK], columns[start : start + CHUNK]
+        _run(walk(work, at, dumped, stored), at, found)
     writers = {name: stage.name for stage in one.stages for name in stage.writes.values()}
     for name, (expected, reach) in found.items():
         yield Check(one.name, writers[name], name, where, expected, dumped[name], reach)
@@ -111,8 +118,11 @@ class Step:
     moved: list[dict[str, Any]]
 
 
-def walk(work: Work, at: Pixels, dumped: Buffers) -> Iterator[Step]:
-    """Run the stages of a pass at some pixels, each with what was dumped of the stages before it."""
+def walk(work: Work, at: Pixels, dumped: Buffers, stored: Stored) -> Iterator[Step]:
+    """Run the stages of a pass at some pixels, each with what was dumped of the stages before it.
+
+    What the pass handed on had not been stored: a dump in few bits stands for the values around it.
+    """
     values = draw_values(work, *at)
     beside = _moved_varyings(work, at, values)
     for stage in work.one.stages:
@@ -129,11 +139,14 @@ def walk(work: Work, at: Pixels, dumped: Buffers) -> Iterator[Step]:
             values[name] = buffer_value(stage.outputs[own], dumped[name], *at)
             for other in beside:
                 other.pop(name, None)
+            if name in stored:
+                steps = step_of(stored[name], stacked(values[name]))
+                beside += _moved_parts(name, values[name], steps)
 
 
-def _run(work: Work, at: Pixels, dumped: Buffers, found: Mapping[str, Any]) -> None:
+def _run(steps: Iterator[Step], at: Pixels, found: Mapping[str, Any]) -> None:
     """Note what each stage of a pass should have written at some pixels, and how near that must be."""
-    for step in walk(work, at, dumped):
+    for step in steps:
         for name in (name for name in step.results if name in found):
             expected, reach = found[name]
             base = stacked(step.results[name])
@@ -171,12 +184,20 @@ def _moved_varyings(work: Work, at: Pixels, values: Mapping[str, Any]) -> list[d
     if fragments.primitives is None or fragments.piece is None:
         return []
     slack = half_subpixel(fragments.primitives, fragments.primitives.attributes, fragments.piece[at], fragments.step)
+    return [
+        moved
+        for name, first in fragments.varyings.items()
+        for moved in _moved_parts(name, values[name], slack[:, first:])
+    ]
+
+
+def _moved_parts(name: str, value: Any, steps: np.ndarray) -> list[dict[str, Any]]:
+    """One dictionary for each component of a value, with that component moved by its step (N, at least C)."""
+    parts = components(value)
     moved = []
-    for name, first in fragments.varyings.items():
-        parts = components(values[name])
-        for k, part in enumerate(parts):
-            beside = [*parts[:k], np.float32(part + slack[:, first + k]), *parts[k + 1 :]]
-            moved.append({name: type(values[name])(*beside) if len(parts) > 1 else beside[0]})
+    for k, part in enumerate(parts):
+        beside = [*parts[:k], np.float32(part + steps[:, k]), *parts[k + 1 :]]
+        moved.append({name: type(value)(*beside) if len(parts) > 1 else beside[0]})
     return moved
 
 

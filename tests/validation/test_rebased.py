@@ -7,8 +7,8 @@ from scenes import around, sphere, two_slabs, written
 from sss_ref.raster.primitives import assemble
 from sss_ref.rendering import render
 from sss_ref.scene.load import load_scene
-from sss_ref.validate.rebased import RASTERIZER, half_subpixel, reach_of
-from sss_ref.validate.validation import validate
+from sss_ref.validation.rebased import RASTERIZER, half_subpixel, reach_of
+from sss_ref.validation.stage_by_stage import validate
 
 METHODS = ("screen_space", "texture_space")
 

@@ -1,0 +1,152 @@
+"""Validating from files and on the command line: the report, its page, its JSON, and what cannot be judged."""
+
+import json
+import shutil
+
+import numpy as np
+import pytest
+from scenes import around, two_slabs, written
+
+import sss_ref
+from sss_ref.cli import main
+from sss_ref.errors import SceneError
+from sss_ref.rendering import render
+from sss_ref.scene.load import load_scene
+from sss_ref.validation.report import as_html, as_json
+from sss_ref.validation.storage import step_of
+
+SMALL = ["--size", "48x48", "--set", "shadow_map.width=48", "--set", "shadow_map.height=48", "--interpreter", "arrays"]
+OVERRIDES = {f"{t}.{s}": 48 for t in ("camera", "shadow_map") for s in ("width", "height")}
+
+
+@pytest.fixture(scope="module")
+def oracle():
+    return render(load_scene("sphere", **OVERRIDES), interpreter="arrays")
+
+
+@pytest.fixture
+def dump(oracle, tmp_path):
+    """A folder of NPY files: what a right implementation would have dumped."""
+    folder = tmp_path / "dump"
+    folder.mkdir()
+    for name, buffer in oracle.buffers.items():
+        np.save(folder / f"{name}.npy", buffer)
+    return folder
+
+
+def test_a_right_dump_passes(dump, capsys):
+    assert main(["validate", "sphere", str(dump), *SMALL]) == 0
+    assert "every stage gives what it should" in capsys.readouterr().out
+
+
+def test_a_wrong_dump_fails_and_is_reported(dump, oracle, tmp_path, capsys):
+    wrong = render(load_scene("sphere", **OVERRIDES, **{"phong.shininess": 20.0}), interpreter="arrays")
+    for name in ("phong", "lit", "scattered", "image"):
+        np.save(dump / f"{name}.npy", wrong[name])
+    assert main(["validate", "sphere", str(dump), *SMALL, "--report", str(tmp_path / "report")]) == 1
+    printed = capsys.readouterr().out
+    assert "fail: stage phong_shading of pass camera is the first that is wrong" in printed
+    assert "shininess is 20 instead of" in printed
+    page = (tmp_path / "report" / "report.html").read_text()
+    assert "shininess is 20 instead of" in page and page.count("data:image/png;base64,") == 3
+    assert "http" not in page.replace("http://www.w3.org", "")
+    assert "float lambert = diffuse * max(dot(normal_world, to_light), 0.0);" in page
+    data = json.loads((tmp_path / "report" / "report.json").read_text())
+    assert data["passed"] is False and data["explanations"][0]["text"].startswith("shininess is 20 ")
+    failed = [one["buffer"] for one in data["buffers"] if not one["passed"]]
+    assert failed == ["phong"]
+
+
+def test_only_some_pixels(dump, oracle, tmp_path, capsys):
+    """A wrong corner is not seen in a region beside it, nor under a mask."""
+    image = oracle["image"].copy()
+    image[:8, :8] += 1
+    np.save(dump / "image.npy", image)
+    assert main(["validate", "sphere", str(dump), *SMALL]) == 1
+    assert main(["validate", "sphere", str(dump), *SMALL, "--region", "8,8,40,40"]) == 0
+    mask = np.zeros((48, 48), np.uint8)
+    mask[:8, :8] = 1
+    np.save(tmp_path / "mask.npy", mask)
+    assert main(["validate", "sphere", str(dump), *SMALL, "--exclude", str(tmp_path / "mask.npy")]) == 0
+    assert main(["validate", "sphere", str(dump), *SMALL, "--region", "8,8,99,1"]) == 2
+    capsys.readouterr()
+
+
+def test_what_cannot_be_used(dump, tmp_path, capsys):
+    for arguments, message in (
+        (["sphere"], "expected a folder of buffers, a mapping file, or --run-glsl, got none"),
+        (["sphere", str(tmp_path / "none")], str(tmp_path / "none")),
+        (["wedge", str(dump)], "48"),
+    ):
+        assert main(["validate", *arguments, *(SMALL if arguments[0] == "sphere" else [])]) == 2
+        assert message in capsys.readouterr().err
+    shutil.copy(dump / "lit.npy", dump / "litt.npy")
+    assert main(["validate", "sphere", str(dump), *SMALL]) == 0  # passed over, with a note
+    assert "litt" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("storage", ["float16", "unorm8", "unorm16"])
+def test_what_a_texture_rounds_is_no_error_but_what_it_should_not_hold_is(oracle, storage):
+    rounded = {
+        "float16": lambda v: v.astype(np.float16).astype(np.float32),
+        "unorm8": lambda v: (np.rint(np.clip(v, 0, 1) * 255) / 255).astype(np.float32),
+        "unorm16": lambda v: (np.rint(np.clip(v, 0, 1) * 65535) / 65535).astype(np.float32),
+    }[storage]
+    names = ("albedo", "lit") if storage != "float16" else ("position_world", "normal_world", "thickness", "lit")
+    buffers = dict(oracle.buffers) | {name: rounded(oracle[name]) for name in names}
+    for later in ("scattered", "image"):  # made of a texture `lit` of full precision, which is not there
+        del buffers[later]
+    assert sss_ref.validate(oracle, buffers, dict.fromkeys(names, storage)).passed
+    found = sss_ref.validate(oracle, buffers)
+    assert not found.passed and found.culprit.buffer in names
+
+
+def test_a_narrow_texture_is_recognised(oracle):
+    buffers = dict(oracle.buffers) | {"thickness": oracle["thickness"].astype(np.float16).astype(np.float32)}
+    found = sss_ref.validate(oracle, buffers)
+    assert found.culprit.buffer == "thickness"
+    assert "it was stored as float16" in [each.text for each in found.finding.hypotheses]
+
+
+MISHAPS = {
+    "its rows are upside down": lambda v: v[::-1],
+    "its channels are in reverse order": lambda v: v[..., ::-1],
+    "its sign is turned": lambda v: -v,
+    "it is n*.5+.5": lambda v: (v * np.float32(0.5) + np.float32(0.5)).astype(np.float32),
+}
+
+
+@pytest.mark.parametrize("text", MISHAPS)
+def test_mishaps_on_the_way_are_recognised(oracle, text):
+    buffers = {"normal_world": np.ascontiguousarray(MISHAPS[text](oracle["normal_world"]))}
+    found = sss_ref.validate(oracle, buffers)
+    assert not found.passed and text in [each.text for each in found.finding.hypotheses]
+
+
+def test_in_tests_of_ones_own(oracle):
+    sss_ref.assert_valid(oracle, oracle.buffers)
+    wrong = dict(oracle.buffers) | {"stored_distance": oracle["stored_distance"] + np.float32(0.01)}
+    with pytest.raises(AssertionError, match=r"fail: stage shadow_lookup_nearest of pass camera is the first that is"):
+        sss_ref.assert_valid(oracle, wrong)
+
+
+def test_buffers_of_another_form_are_refused(oracle):
+    with pytest.raises(SceneError, match=r"expected names of light_triangle, .*, got 'depht'"):
+        sss_ref.validate(oracle, {"depht": oracle["depth"]})
+    with pytest.raises(SceneError, match=r"expected lit as float32 \(48, 48, 3\), got float64 \(48, 48, 3\); convert"):
+        sss_ref.validate(oracle, {"lit": oracle["lit"].astype(np.float64)})
+
+
+def test_a_failing_rasterizer_has_no_lines_to_show(tmp_path):
+    path = written(tmp_path / "slabs.obj", *two_slabs())
+    one, other = (render(load_scene(around(path, 32), **{"camera.azimuth": a}), "arrays") for a in (20, 25))
+    found = sss_ref.validate(one, other.buffers)
+    assert found.finding.section is None and found.culprit.stage == "rasterizer"
+    assert "rasterizer" in as_html(found, "title") and not as_json(found)["passed"]
+
+
+def test_steps_of_storage():
+    values = np.float32([0, 1, 3])
+    assert step_of("float32", values).tolist() == [0, 0, 0]
+    assert step_of("float16", values).tolist() == [2.0**-24, 2.0**-10, 3 * 2.0**-10]
+    assert step_of("unorm8", values).tolist() == [1 / 255] * 3
