@@ -19,7 +19,7 @@ from sss_ref.methods.catalogue import method_of
 from sss_ref.passes.buffers import background
 from sss_ref.raster.primitives import Primitives, assemble
 from sss_ref.raster.rasterize import visibility
-from sss_ref.raster.viewport import Viewport
+from sss_ref.raster.viewport import FINEST, Viewport
 from sss_ref.result import Result
 from sss_ref.scene.load import Scene
 from sss_ref.scene.problems import told
@@ -35,6 +35,7 @@ def render(
     threads: int | None = None,
     keep: str | Iterable[str] = "all",
     on_pass: Callable[[str], None] | None = None,
+    subpixel_bits: int = FINEST,
 ) -> Result:
     """Render a scene.
 
@@ -43,13 +44,15 @@ def render(
     keep: "all" buffers, the "final" image, or a list of names; only what is kept is written. The name "taps" stands for
         the single taps of the blur, tap_00, tap_01 and so on, which "all" leaves out.
     on_pass: called with the name of each pass before it runs.
-    Raises SceneError for an unknown interpreter or buffer, RenderError where a stage gives NaN or infinity.
+    subpixel_bits: of the snap (rule R2), 0 to 8; only 8 are the rules' bits, others are for comparing with a GPU.
+    Raises SceneError for an unknown interpreter or buffer or bits out of range, RenderError where a stage gives NaN
+    or infinity.
     """
     if interpreter not in INTERPRETERS:
         raise SceneError(f"interpreter: expected one of {', '.join(INTERPRETERS)}, got {interpreter!r}")
     method = method_of(scene.settings, scene.own_stages)
     with _pool(threads) as pool:
-        rendering = Rendering(scene, INTERPRETERS[interpreter], pool, _kept(method, keep))
+        rendering = Rendering(scene, INTERPRETERS[interpreter], pool, _kept(method, keep), subpixel_bits)
         needed = method.only(rendering.kept)
         for one in needed.passes:
             if on_pass:
@@ -93,6 +96,7 @@ class Rendering:
     interpreter: Any
     pool: Executor | None
     kept: set[str]
+    subpixel_bits: int = FINEST
 
     def __post_init__(self) -> None:
         self.uniforms = uniforms(self.scene)
@@ -141,7 +145,7 @@ class Rendering:
         varyings, columns = varying_columns(one)
         given = self.uniforms | self.buffers
         clip_position, attributes = self.interpreter.run_vertices(one, self.mesh, given, varyings, columns)
-        viewport = Viewport(width, height)
+        viewport = Viewport(width, height, self.subpixel_bits)
         primitives = assemble(clip_position, attributes, self.scene.mesh.triangles, viewport)
         piece, depth = visibility(primitives, viewport, self.pool)
         if one.draw.layout:

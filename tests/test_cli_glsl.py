@@ -1,16 +1,28 @@
 import pytest
 
 from sss_ref.cli import main
-from sss_ref.interpret.shader import array_lengths, shader_files, stage_source
+from sss_ref.interpret.shader import DIALECTS, array_lengths, shader_files, stage_source
 from sss_ref.methods.catalogue import method_of
+from sss_ref.passes.phong import phong_shading
 from sss_ref.passes.translucency import translucency_beer
 from sss_ref.scene.load import load_scene
 from sss_ref.scene.uniforms import uniforms
+from sss_ref.webgl import page
 
 
 def test_a_stage_is_printed_with_what_it_uses(capsys):
     assert main(["glsl", "translucency_beer", "--set", "translucency.form=beer"]) == 0
     assert capsys.readouterr().out == stage_source(translucency_beer, {}) + "\n"
+
+
+@pytest.mark.parametrize("dialect", ["essl", "hlsl"])
+def test_other_dialects(dialect, tmp_path, capsys):
+    assert main(["glsl", "phong_shading", "--dialect", dialect, "-o", str(tmp_path)]) == 0
+    loaded = load_scene("default")
+    method, lengths = method_of(loaded.settings), array_lengths(uniforms(loaded))
+    files = shader_files(method, lengths, DIALECTS[dialect])
+    assert {path.name: path.read_text() for path in tmp_path.iterdir()} == files
+    assert stage_source(phong_shading, lengths, DIALECTS[dialect]) in capsys.readouterr().out
 
 
 def test_without_a_stage_passes_and_stages_are_listed(capsys):
@@ -33,7 +45,7 @@ def test_the_shaders_of_all_passes_are_written(tmp_path, capsys):
     [
         (["scatter"], "error: stage: expected a stage of the scene (mesh_vertex, "),
         (["--scene", "none"], "error: none: expected"),
-        (["-o", "{file}"], "error: {file}: expected a folder to write shaders into, got"),
+        (["-o", "{file}"], "error: {file}: expected a folder to write into, got"),
     ],
 )
 def test_what_is_not_there_is_told(arguments, message, tmp_path, capsys):
@@ -41,3 +53,10 @@ def test_what_is_not_there_is_told(arguments, message, tmp_path, capsys):
     file.write_text("")
     assert main(["glsl", *(argument.format(file=file) for argument in arguments)]) == 2
     assert capsys.readouterr().err.startswith(message.format(file=file))
+
+
+def test_a_page_is_written(tmp_path, capsys):
+    path = tmp_path / "new" / "page.html"
+    assert main(["webgl", "wedge", "--size", "32x16", "-o", str(path)]) == 0
+    assert path.read_text() == page(load_scene("wedge", **{"camera.width": 32, "camera.height": 16}))
+    assert capsys.readouterr().out == f"{path}: open it in a browser\n"

@@ -123,3 +123,11 @@ def test_a_hash_is_over_name_type_size_and_little_endian_data(buffer, head):
 
 def test_the_sign_of_zero_is_part_of_a_hash():
     assert buffer_hash("name", np.float32([[0.0]])) != buffer_hash("name", np.float32([[-0.0]]))
+
+
+def test_subpixel_bits_are_those_of_the_rules_unless_told(scene, everything):
+    assert render(scene, subpixel_bits=8).hashes == everything.hashes
+    coarse = render(scene, subpixel_bits=2)
+    assert coarse.hashes == render(scene, "arrays", subpixel_bits=2).hashes != everything.hashes
+    with pytest.raises(SceneError, match=r"^subpixel_bits: expected 0 to 8, got 9;"):
+        render(scene, subpixel_bits=9)

@@ -46,6 +46,7 @@ MAY_IMPORT = {
     "samples": {"scene", "result", "rendering"},
     "explanation": {"language", "raster", "interpret", "passes", "scene", "methods", "result", "rendering"},
     "gl": {"interpret", "language", "passes", "scene", "methods"},
+    "webgl": {"gl", "interpret", "language", "passes", "scene", "methods"},
     "io": {"language", "interpret", "passes", "scene", "methods", "result", "rendering", "samples"},
     "validation": {
         "language",
@@ -105,6 +106,7 @@ def test_the_direction_has_no_circle():
         "samples",
         "explanation",
         "gl",
+        "webgl",
         "io",
         "validation",
         "cli",

@@ -8,7 +8,7 @@ from sss_ref.cli.console import BAD_INPUT, err
 from sss_ref.cli.explaining import explain
 from sss_ref.cli.listing import info, scenes
 from sss_ref.cli.rendering import render, warmup
-from sss_ref.cli.shaders import bundle, glsl
+from sss_ref.cli.shaders import bundle, glsl, webgl
 from sss_ref.cli.validating import validate
 from sss_ref.errors import SssRefError
 
@@ -22,7 +22,7 @@ def _version() -> str:
 
 
 app = App(name="sss-ref", help=PURPOSE, version=_version, result_action="return_value")
-for command in (render, verify, diff, explain, glsl, bundle, validate, info, scenes, warmup):
+for command in (render, verify, diff, explain, glsl, bundle, webgl, validate, info, scenes, warmup):
     app.command(command)
 
 

@@ -1,8 +1,8 @@
-"""`sss-ref glsl` and `bundle`: the stages as shaders, and a scene for another renderer."""
+"""`sss-ref glsl`, `bundle` and `webgl`: the stages as shaders, and scenes for other renderers."""
 
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 
@@ -23,10 +23,13 @@ def glsl(
     output: Annotated[
         Path | None, Parameter(alias="-o", help="A folder for the shaders of all passes.", show_default=False)
     ] = None,
+    dialect: Annotated[
+        Literal["glsl", "essl", "hlsl"], Parameter(help="Of OpenGL, of WebGL 2 and OpenGL ES 3, or of Direct3D.")
+    ] = "glsl",
     changes: Changes = NO_CHANGES,
 ) -> int:
-    """Print a stage of a scene as GLSL, or write complete shaders for all passes, or list passes and stages."""
-    from sss_ref.interpret.shader import array_lengths, shader_files, stage_source
+    """Print a stage of a scene as a shader, or write complete shaders for all passes, or list passes and stages."""
+    from sss_ref.interpret.shader import DIALECTS, array_lengths, shader_files, stage_source
     from sss_ref.methods.catalogue import method_of
     from sss_ref.scene.load import load_scene
     from sss_ref.scene.uniforms import uniforms
@@ -34,11 +37,11 @@ def glsl(
     loaded = load_scene(scene, **changes.overrides())
     method, lengths = method_of(loaded.settings), array_lengths(uniforms(loaded))
     if output is not None:
-        files = shader_files(method, lengths)
+        files = shader_files(method, lengths, DIALECTS[dialect])
         _write(output, files)
         out.print(f"{output}: {', '.join(files)}", markup=False)
     if stage is not None:
-        out.print(stage_source(_found(stage, method.passes), lengths), markup=False)
+        out.print(stage_source(_found(stage, method.passes), lengths, DIALECTS[dialect]), markup=False)
     if stage is None and output is None:
         for one in method.passes:
             out.print(f"{one.name}: {', '.join(dict.fromkeys(each.name for each in _stages(one)))}")
@@ -57,6 +60,21 @@ def bundle(
 
     folder = write_bundle(load_scene(scene, **changes.overrides()), output)
     out.print(f"{folder}: read PORTING.md first", markup=False)
+    return 0
+
+
+def webgl(
+    scene: Annotated[str, Parameter(help="A scene file, or the name of a shipped scene.")] = "default",
+    *,
+    output: Annotated[Path, Parameter(alias="-o", help="The page to write.")] = Path("webgl.html"),
+    changes: Changes = NO_CHANGES,
+) -> int:
+    """Write a page that draws a scene in a browser and offers its buffers as files."""
+    from sss_ref.scene.load import load_scene
+    from sss_ref.webgl import page
+
+    _write(output.parent, {output.name: page(load_scene(scene, **changes.overrides()))})
+    out.print(f"{output}: open it in a browser", markup=False)
     return 0
 
 
@@ -82,4 +100,4 @@ def _write(folder: Path, files: Mapping[str, str]) -> None:
         for name, text in files.items():
             (folder / name).write_text(text, encoding="utf-8")
     except OSError as error:
-        raise DumpError(f"{folder}: expected a folder to write shaders into, got {error}; choose another") from None
+        raise DumpError(f"{folder}: expected a folder to write into, got {error}; choose another") from None

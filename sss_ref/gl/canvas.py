@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from sss_ref.errors import ShaderError
-from sss_ref.gl.textures import uploaded, uploaded_array
+from sss_ref.gl.textures import texture_data, uploaded
 from sss_ref.interpret.shader import array_lengths
 
 if TYPE_CHECKING:
@@ -71,8 +71,5 @@ class Canvas:
 
     @cached_property
     def textures(self) -> "dict[str, Texture]":
-        """The uniforms that are textures: pictures, and arrays too long for a shader."""
-        arrays = {name: np.asarray(value) for name, value in self.uniforms.items() if np.ndim(value)}
-        pictures = {name: uploaded(self.context, value) for name, value in arrays.items() if value.ndim == 3}
-        longer = {name: value for name, value in arrays.items() if value.ndim < 3 and name not in self.lengths}
-        return pictures | {name: uploaded_array(self.context, value) for name, value in longer.items()}
+        """The uniforms that are textures."""
+        return {name: uploaded(self.context, data) for name, data in texture_data(self.uniforms).items()}

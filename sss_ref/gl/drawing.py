@@ -10,8 +10,8 @@ from sss_ref.errors import ShaderError
 from sss_ref.gl.canvas import Canvas
 from sss_ref.gl.context import open_context
 from sss_ref.gl.shaders import Files, ShaderPair, own_shaders, user_shaders
-from sss_ref.gl.textures import downloaded, filled
-from sss_ref.language.pipeline import MESH_ATTRIBUTES, MeshDraw, Method, Pass
+from sss_ref.gl.textures import downloaded, filled, vertex_attributes
+from sss_ref.language.pipeline import MeshDraw, Method, Pass
 from sss_ref.methods.catalogue import method_of
 from sss_ref.passes.buffers import background
 from sss_ref.scene.load import Scene
@@ -93,16 +93,9 @@ class _Drawing:
         clear = {name: background(name, self.canvas.uniforms) for name in pair.outputs}
         written = {name: filled(self.canvas.context, kinds[name], size, value) for name, value in clear.items()}
         if isinstance(one.draw, MeshDraw):
-            vertices = self.canvas.vertices(program, self.attributes, self.scene.mesh.triangles)
+            vertices = self.canvas.vertices(program, vertex_attributes(self.scene.mesh), self.scene.mesh.triangles)
             later_wins = one.draw.layout and self.scene.settings.irradiance_map.overlap == "last"
             self.canvas.triangles(vertices, written.values(), later_wins)
         else:
             self.canvas.rectangle(program, written.values())
         return written
-
-    @property
-    def attributes(self) -> dict[str, np.ndarray]:
-        """What a vertex shader reads of each vertex; a mesh without UVs has uv 0."""
-        mesh = self.scene.mesh
-        uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
-        return dict(zip(MESH_ATTRIBUTES, (mesh.positions, mesh.normals, uvs), strict=True))

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sss_ref.errors import ShaderError
-from sss_ref.interpret.shader import MOST_OUTPUTS, OUT, draws, fragment_shader, vertex_shader
+from sss_ref.interpret.shader import GLSL, OUT, draws, fragment_shader, vertex_shader
 from sss_ref.language.pipeline import Pass
 from sss_ref.methods.catalogue import method_of
 from sss_ref.scene.settings import SceneFile
@@ -94,9 +94,9 @@ def _outputs(one: Pass, path: Path, text: str) -> tuple[str, ...]:
     found = sorted((int(location), name) for location, name in OUTPUT.findall(text))
     names = tuple(name for _, name in found)
     listed = ", ".join(one.outputs)
-    if not found or [location for location, _ in found] != list(range(min(len(found), MOST_OUTPUTS))):
+    if not found or [location for location, _ in found] != list(range(min(len(found), GLSL.most_outputs))):
         raise ShaderError(
-            f"{path}: expected outputs at locations 0, 1 ... of 1 to {MOST_OUTPUTS} buffers ({listed}), got "
+            f"{path}: expected outputs at locations 0, 1 ... of 1 to {GLSL.most_outputs} buffers ({listed}), got "
             f"{len(found)}; declare each as layout(location = 0) out vec3 {OUT}NAME"
         )
     for name in names:

@@ -1,12 +1,15 @@
-"""Buffers and uniform arrays as textures: row 0 at the bottom on both sides."""
+"""What shaders read and write: buffers and uniform arrays as textures, row 0 at the bottom, and vertex attributes."""
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sss_ref.interpret.shader import ARRAY_WIDTH
+from sss_ref.interpret.shader import ARRAY_WIDTH, array_lengths
 from sss_ref.interpret.work import CHANNELS, dtype_of, shape_of
+from sss_ref.language.pipeline import MESH_ATTRIBUTES
 from sss_ref.language.types import vec3
+from sss_ref.scene.mesh import Mesh
 
 if TYPE_CHECKING:
     from moderngl import Context, Texture
@@ -34,12 +37,26 @@ def uploaded(context: "Context", data: np.ndarray) -> "Texture":
     return texture
 
 
-def uploaded_array(context: "Context", values: np.ndarray) -> "Texture":
-    """A texture of a uniform array (N,) or (N, C), as the dialect's `element` reads it: row after row."""
+def texture_data(uniforms: Mapping[str, Any]) -> dict[str, np.ndarray]:
+    """What the uniforms that are textures hold, (H, W) or (H, W, C): pictures, and arrays too long for a shader."""
+    arrays = {name: np.asarray(value) for name, value in uniforms.items() if np.ndim(value)}
+    pictures = {name: value for name, value in arrays.items() if value.ndim == 3}
+    longer = arrays.keys() - pictures.keys() - array_lengths(uniforms).keys()
+    return pictures | {name: _rows(value) for name, value in arrays.items() if name in longer}
+
+
+def _rows(values: np.ndarray) -> np.ndarray:
+    """A uniform array (N,) or (N, C) as the dialect's `element` reads it: row after row, filled up with 0."""
     rows = -(-len(values) // ARRAY_WIDTH)
     data = np.zeros((rows * ARRAY_WIDTH, *values.shape[1:]), values.dtype)
     data[: len(values)] = values
-    return uploaded(context, data.reshape(rows, ARRAY_WIDTH, *values.shape[1:]))
+    return data.reshape(rows, ARRAY_WIDTH, *values.shape[1:])
+
+
+def vertex_attributes(mesh: Mesh) -> dict[str, np.ndarray]:
+    """What a vertex shader reads of each vertex, float32 (V, C); a mesh without UVs has uv 0."""
+    uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
+    return dict(zip(MESH_ATTRIBUTES, (mesh.positions, mesh.normals, uvs), strict=True))
 
 
 def downloaded(texture: "Texture", kind: Any) -> np.ndarray:

@@ -87,6 +87,15 @@ def body(tmp_path, size=64, **tables):
     return load_scene(around(path, size, irradiance_map={"width": size, "height": size}, **tables))
 
 
+@pytest.mark.parametrize("distance", [0.3, 1.2], ids=["from inside", "through the surface"])
+def test_triangles_cut_by_the_near_plane_and_beyond_the_sides(tmp_path, distance):
+    camera = {"distance": distance, "near": 0.25, "fov_y": 100.0}
+    scene = body(tmp_path, **{"camera": around("any", 64)["camera"] | camera})
+    expected, got = oracle(scene), draw(scene)
+    np.testing.assert_array_equal(got["coverage"], expected["coverage"])
+    assert (got["triangle"] != expected["triangle"]).sum() <= 2
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_two_lights(tmp_path, method):
     lights = [{"position": [2.0, 1.5, 2.5]}, {"position": [-3.0, 2.0, -1.0], "falloff": "inverse_square"}]

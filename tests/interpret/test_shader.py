@@ -7,9 +7,33 @@ import numpy as np
 import pytest
 from scenes import settings_with
 
-from sss_ref.interpret.shader import array_lengths, draws, fragment_shader, shader_files, stage_source, vertex_shader
+from sss_ref.interpret.shader import (
+    ESSL,
+    HLSL,
+    array_lengths,
+    draws,
+    fragment_shader,
+    shader_files,
+    stage_source,
+    vertex_shader,
+)
 from sss_ref.interpret.shader.expressions import number
-from sss_ref.language import Array, Texture, clamp, float32, int32, ivec2, mix, select, stage, texel, vec2, vec3
+from sss_ref.language import (
+    Array,
+    Texture,
+    clamp,
+    float32,
+    int32,
+    ivec2,
+    mix,
+    select,
+    size,
+    stage,
+    texel,
+    vec2,
+    vec3,
+)
+from sss_ref.language import max as larger
 from sss_ref.methods.catalogue import method_of
 from sss_ref.passes.camera import albedo_by_material
 from sss_ref.passes.shadow_map import back_point
@@ -214,10 +238,53 @@ def test_vertex_shaders_draw_the_mesh_or_a_rectangle():
     assert "gl_VertexID" in blur and "in vec3" not in blur
 
 
+def test_gles_defines_no_built_in_anew_and_numbers_its_triangles():
+    one = passes()["camera"]
+    vertex, fragment = vertex_shader(one, {}, ESSL), fragment_shader(one, set(), ("triangle", "normal_world"), {}, ESSL)
+    assert vertex.startswith("#version 300 es\nprecision highp float;\n")
+    assert "flat out int triangle_number;" in vertex and "triangle_number = gl_VertexID / 3;" in vertex
+    assert "flat in int triangle_number;" in fragment and "int triangle = triangle_number;" in fragment
+    assert "float length_(vec3 v)" in fragment and "sqrt(dot_(v, v))" in fragment
+    assert "precise" not in vertex + fragment
+    assert max(map(len, draws(one, one.outputs, ESSL.most_outputs).values())) == 4
+    assert "triangle_number" not in vertex_shader(passes()["blur"], {}, ESSL)
+
+
+@stage(source="a test")
+def widened(v: vec3, picture: Texture[vec3], mask: Texture[bool], line: float) -> Both:
+    bounded = larger(v, line)
+    extent = size(picture)
+    at = ivec2(extent.x - 1, 0)
+    return Both(select(texel(mask, at), line, 0.5), texel(picture, at) * bounded)
+
+
+def test_hlsl_writes_its_own_types_and_what_it_lacks():
+    source = stage_source(widened, {}, HLSL)
+    assert "Both widened(float3 v, Texture2D<float3> picture, Texture2D<uint> mask, float line_)" in source
+    assert "float3 bounded = max_(v, (float3)line_);" in source
+    assert "int2 texture_size(Texture2D<float3> map)" in source and "int2 extent = texture_size(picture);" in source
+    assert (
+        "Both returned = {mask.Load(int3(at, 0)) != 0u ? line_ : 0.5, picture.Load(int3(at, 0)) * bounded};" in source
+    )
+
+
+def test_hlsl_turns_the_picture_over_and_halves_the_depth_range():
+    one = passes()["camera"]
+    vertex, fragment = vertex_shader(one, {}, HLSL), fragment_shader(one, set(), ("triangle", "uv"), {}, HLSL)
+    assert "clip_position = vertex.clip_position * float4(1.0, -1.0, 1.0, 1.0);" in vertex
+    assert "clip_position.z = (clip_position.z + clip_position.w) * 0.5;" in vertex
+    assert "    row_major float4x4 world_from_model;" in vertex and "transpose(m)[0] * v.x" in vertex
+    assert "float3 position : POSITION," in vertex and "out precise float2 fragment_uv : TEXCOORD2" in vertex
+    assert "float3 fragment_normal : TEXCOORD1," in fragment  # as the vertex shader hands it on, though it is not read
+    assert "int triangle_ = int(primitive);" in fragment and "out int out_triangle : SV_Target0," in fragment
+    assert "int2 pixel = int2(window.xy);" in fragment_shader(passes()["blur"], {"lit"}, ("scattered",), LENGTHS, HLSL)
+
+
 PRINT_HASH = """
 import hashlib
 from scenes import settings_with
 from sss_ref.interpret.shader import shader_files
+from sss_ref.language import max as larger
 from sss_ref.methods.catalogue import method_of
 files = shader_files(method_of(settings_with({"method": "texture_space", "preset": "robust"})), {"tap_offset": 13})
 print(hashlib.sha256(repr(files).encode()).hexdigest())

@@ -4,14 +4,10 @@ Whatever a shading language defines otherwise, or leaves open, is written out as
 the order of every sum, a normalize that leaves the zero vector zero. Only pow, exp, exp2 and log2 are the GPU's own.
 """
 
-from sss_ref.interpret.shader.dialect import ARRAY_WIDTH, GLSL, Dialect
+from sss_ref.interpret.shader.dialect import ARRAY_WIDTH, OUT, Dialect
+from sss_ref.interpret.shader.glsl import ESSL, GLSL
+from sss_ref.interpret.shader.hlsl import HLSL
 from sss_ref.interpret.shader.library import Library, stage_source
-from sss_ref.interpret.shader.passes import (
-    MOST_OUTPUTS,
-    OUT,
-    array_lengths,
-    draws,
-    fragment_shader,
-    shader_files,
-    vertex_shader,
-)
+from sss_ref.interpret.shader.passes import array_lengths, draws, fragment_shader, shader_files, vertex_shader
+
+DIALECTS = {"glsl": GLSL, "essl": ESSL, "hlsl": HLSL}

@@ -101,6 +101,8 @@ class Expressions:
         texts = [self.widened(argument, expression) for argument in arguments]
         if name in self.dialect.calls:
             return self.dialect.calls[name].format(*texts), ATOM
+        if name == "size":
+            return f"{self.library.texture_size(arguments[0].type)}({texts[0]})", ATOM
         return f"{self.library.choice(name, expression.type)}({', '.join(texts)})", ATOM
 
     def widened(self, argument: tree.Expression, call: tree.Call) -> str:
@@ -109,4 +111,4 @@ class Expressions:
         assert isinstance(call.callee, Primitive)
         vector = isinstance(call.type, type) and issubclass(call.type, Vector) and get_origin(argument.type) is None
         scalar = vector and call.callee.by_component and argument.type is float
-        return f"{self.dialect.types[call.type]}({text})" if scalar else text
+        return self.dialect.splat.format(self.dialect.types[call.type], text) if scalar else text

@@ -1,19 +1,18 @@
 """The definitions a shader needs: constants, functions for the types they are called with, structs and stages."""
 
 import inspect
-import textwrap
 from collections.abc import Mapping
 from typing import Any, TypeVar, get_args, get_origin, get_type_hints
 
-from sss_ref.interpret.shader.dialect import GLSL, Dialect
+from sss_ref.interpret.shader.dialect import Dialect
 from sss_ref.interpret.shader.expressions import SUM, Expressions, number
+from sss_ref.interpret.shader.glsl import GLSL
+from sss_ref.interpret.shader.text import braced, comment, folded
 from sss_ref.language import tree
 from sss_ref.language.stage import Function, Stage
-from sss_ref.language.types import Array, Texture, Vector, mat3, vec3, vec4
+from sss_ref.language.types import Array, Texture, Vector, ivec2, mat3, vec3, vec4
 from sss_ref.language.typing_rules import element_type, type_name
 
-INDENT = "    "
-LINE_LENGTH = 120
 CHOICES = {"min": "y < x ? y : x", "max": "x < y ? y : x"}  # rule A1
 
 
@@ -27,27 +26,6 @@ def stage_source(stage: Stage, lengths: Mapping[str, int], dialect: Dialect = GL
 def result_struct(stage: Stage) -> Any:
     """The NamedTuple whose name and fields the struct has that a stage returns."""
     return get_type_hints(stage.python)["return"]
-
-
-def indented(lines: list[str]) -> list[str]:
-    """Lines one level further in."""
-    return [INDENT + line for line in lines]
-
-
-def folded(text: str) -> str:
-    """Source with its long lines broken at spaces."""
-    return "\n".join(part for line in text.splitlines() for part in _folded_line(line) or [""])
-
-
-def _folded_line(line: str) -> list[str]:
-    further = line[: len(line) - len(line.lstrip())] + 2 * INDENT
-    return textwrap.wrap(line, LINE_LENGTH, subsequent_indent=further, break_long_words=False, break_on_hyphens=False)
-
-
-def comment(text: str) -> list[str]:
-    """A text as comment lines; its own line breaks stay."""
-    wrapped = [part for line in text.splitlines() for part in textwrap.wrap(line, LINE_LENGTH - 3) or [""]]
-    return [f"// {line}".rstrip() for line in wrapped]
 
 
 class Library:
@@ -67,19 +45,27 @@ class Library:
     def constant(self, constant: tree.Constant) -> str:
         """The name of a constant of a stage's module."""
         declared = self.dialect.declared(constant.type, constant.name)
-        self._constants[constant.name] = f"const {declared} = {number(constant.type, constant.value)};"
+        self._constants[constant.name] = (
+            f"{self.dialect.constant} {declared} = {number(constant.type, constant.value)};"
+        )
         return constant.name
 
     def choice(self, name: str, kind: Any) -> str:
         """The name of min or max for two values of a type; that of vectors works on their components."""
-        result = CHOICES[name]
+        result, written = CHOICES[name], self.dialect.function(name)
         if isinstance(kind, type) and issubclass(kind, Vector):
             self.choice(name, element_type(kind))
-            each = ", ".join(f"{name}(x.{letter}, y.{letter})" for letter in "xyzw"[: kind.count])
+            each = ", ".join(f"{written}(x.{letter}, y.{letter})" for letter in "xyzw"[: kind.count])
             result = f"{self.dialect.types[kind]}({each})"
-        head = self._signature(kind, name, {"x": kind, "y": kind})
+        head = self._signature(kind, written, {"x": kind, "y": kind})
         self._define((name, kind), f"{CHOICES[name]} (rule A1)", head, [f"return {result};"])
-        return name
+        return written
+
+    def texture_size(self, texture: Any) -> str:
+        """The name of what gives the size of a texture of a type."""
+        head = self._signature(ivec2, "texture_size", {"map": texture})
+        self._define(("size", texture), "Width and height in texels.", head, [*self.dialect.size])
+        return "texture_size"
 
     def transform(self, matrix: Any) -> str:
         """The name of the product of a matrix and a vector."""
@@ -95,7 +81,7 @@ class Library:
         assert isinstance(callee, Function) and body is not None
         given = zip(body.parameters, call.arguments, strict=True)
         own = {name: lengths[a.name] for name, a in given if isinstance(a, tree.Name) and a.name in lengths}
-        name = callee.name + texel_suffix(callee, body)
+        name = self.dialect.function(callee.name + texel_suffix(callee, body))
         head = self._signature(call.type, name, body.parameters, own)
         key = (callee, *body.parameters.values(), *own.items())
         self._define(key, inspect.getdoc(callee.python), head, self._body(body, own))
@@ -114,7 +100,7 @@ class Library:
 
     def _define(self, key: Any, doc: str | None, head: str, lines: list[str], end: str = "}") -> None:
         """Add a definition unless it is there."""
-        self._definitions.setdefault(key, [*comment(doc or ""), head, "{", *indented(lines), end])
+        self._definitions.setdefault(key, [*comment(doc or ""), *braced(head, lines, end)])
 
     def _signature(
         self, result: Any, name: str, parameters: Mapping[str, Any], lengths: Mapping[str, int] | None = None
@@ -152,7 +138,7 @@ class Library:
         start, stop = expressions.text(statement.start), expressions.text(statement.stop, SUM)
         head = f"for (int {index} = {start}; {index} < {stop}; {index}++)"
         block = [self._assign(assign, inside, expressions) for assign in statement.block]
-        return [head, "{", *indented(block), "}"]
+        return braced(head, block)
 
 
 def texel_suffix(callee: Function, body: tree.Body) -> str:

@@ -4,10 +4,10 @@ from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, get_args, get_origin
 
-from sss_ref.interpret.shader.dialect import GLSL
+from sss_ref.interpret.shader.dialect import Dialect
 from sss_ref.language.pipeline import PIXEL
 from sss_ref.language.stage import Stage
-from sss_ref.language.types import Texture
+from sss_ref.language.types import Array, Texture
 
 
 @dataclass
@@ -32,20 +32,27 @@ class Reads:
                 reads.uniforms[name] = kind
         return reads
 
-    def declarations(self, lengths: Mapping[str, int]) -> list[str]:
-        """The uniforms of the shader; lengths: uniform array -> its length."""
-        textures = [f"uniform {GLSL.textures[kind]} {GLSL.name(name)};" for name, kind in self.textures.items()]
-        return textures + [
-            f"uniform {GLSL.declared(kind, name, lengths.get(name))};" for name, kind in self.uniforms.items()
-        ]
+    def declared_textures(self, lengths: Mapping[str, int], dialect: Dialect) -> list[str]:
+        """The textures, each as `type name`; lengths: uniform array -> its length (of others: a texture)."""
+        buffers = [f"{dialect.textures[kind]} {dialect.name(name)}" for name, kind in self.textures.items()]
+        return buffers + [dialect.declared(kind, name) for name, kind in self._arrays(lengths).items()]
 
-    def fetches(self) -> list[str]:
+    def declared_uniforms(self, lengths: Mapping[str, int], dialect: Dialect) -> list[str]:
+        """The uniforms that are no textures, each as `type name`."""
+        values = {name: kind for name, kind in self.uniforms.items() if name not in self._arrays(lengths)}
+        return [dialect.declared(kind, name, lengths.get(name)) for name, kind in values.items()]
+
+    def _arrays(self, lengths: Mapping[str, int]) -> dict[str, Any]:
+        """The uniform arrays that are textures."""
+        return {n: kind for n, kind in self.uniforms.items() if get_origin(kind) is Array and n not in lengths}
+
+    def fetches(self, dialect: Dialect) -> list[str]:
         """The lines that give the buffers' values at the pixel itself a name."""
         return [
-            f"{GLSL.declared(kind, name + '_here')} = {GLSL.fetched(kind, GLSL.name(name), PIXEL)};"
+            f"{dialect.declared(kind, name + '_here')} = {dialect.fetched(kind, dialect.name(name), PIXEL)};"
             for name, kind in self.here.items()
         ]
 
-    def argument(self, name: str, kind: Any) -> str:
+    def argument(self, name: str, kind: Any, dialect: Dialect) -> str:
         """What a stage is handed for a parameter of this type."""
-        return f"{name}_here" if name in self.here and get_origin(kind) is not Texture else GLSL.name(name)
+        return f"{name}_here" if name in self.here and get_origin(kind) is not Texture else dialect.name(name)

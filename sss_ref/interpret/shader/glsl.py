@@ -1,0 +1,116 @@
+"""GLSL 4.00 for OpenGL, and GLSL ES 3.00 for WebGL 2 and OpenGL ES."""
+
+from dataclasses import replace
+
+from sss_ref.interpret.shader.dialect import ARRAY_WIDTH, Dialect, Parts
+from sss_ref.interpret.shader.text import braced, comment, joined
+from sss_ref.language.types import ivec2, mat3, mat4, vec2, vec3, vec4
+
+TRIANGLE = "triangle_number"  # GLSL ES knows no gl_PrimitiveID: drawn without indices, a corner knows its triangle
+
+WORDS = """
+active asm attribute buffer case cast centroid class coherent common const default discard enum extern external
+filter fixed flat goto half highp inline inout input interface invariant layout long lowp mediump namespace noinline
+noperspective out output packed partition patch precise precision public readonly resource restrict row_major sample
+shared short sizeof smooth static struct subroutine superp switch template this typedef uniform union unsigned using
+varying void volatile writeonly
+"""  # those that Python allows as a name
+BUILT_INS = """
+abs acos acosh all any asin asinh atan atanh ceil clamp cos cosh cross degrees determinant distance dot equal exp exp2
+faceforward floor fract fwidth inverse inversesqrt isinf isnan length log log2 max min mix mod modf normalize not pow
+radians reflect refract round sign sin sinh smoothstep sqrt step tan tanh texture transpose trunc
+"""  # functions that a shader of GLSL may define anew and one of GLSL ES may not
+
+
+def vertex(parts: Parts, dialect: Dialect) -> str:
+    """A complete vertex shader."""
+    attributes = [f"in {dialect.declared(kind, name)};" for name, kind in parts.attributes.items()]
+    varyings = [f"{dialect.exact}out {dialect.declared(kind, name)};" for name, kind in parts.varyings.items()]
+    if not parts.mesh:
+        return _shader(parts, dialect, [], [])
+    if _numbers_triangles(dialect):
+        numbered = replace(parts, lines=[*parts.lines, f"{TRIANGLE} = gl_VertexID / 3;"])
+        return _shader(numbered, dialect, attributes, [*varyings, f"flat out int {TRIANGLE};"])
+    return _shader(parts, dialect, attributes, [*varyings, "precise gl_Position;"])
+
+
+def fragment(parts: Parts, dialect: Dialect) -> str:
+    """A complete fragment shader."""
+    varyings = [f"in {dialect.declared(kind, name)};" for name, kind in parts.varyings.items() if name in parts.read]
+    number = [f"flat in int {TRIANGLE};"] if parts.mesh and _numbers_triangles(dialect) else []
+    written = [
+        f"{'' if kind in (bool, int) else dialect.exact}layout(location = {k}) out {dialect.written(kind, name)};"
+        for k, (name, kind) in enumerate(parts.outputs.items())
+    ]
+    return _shader(parts, dialect, varyings + number, written)
+
+
+def _numbers_triangles(dialect: Dialect) -> bool:
+    return dialect.given["triangle"] == TRIANGLE
+
+
+def _shader(parts: Parts, dialect: Dialect, inputs: list[str], outputs: list[str]) -> str:
+    uniforms = [f"uniform {declared};" for declared in (*parts.textures, *parts.uniforms)]
+    head = [*dialect.head, *comment(parts.about)]
+    return joined([head, inputs, uniforms, outputs, parts.definitions.splitlines(), braced("void main()", parts.lines)])
+
+
+GLSL = Dialect(
+    types={
+        float: "float",
+        int: "int",
+        bool: "bool",
+        vec2: "vec2",
+        vec3: "vec3",
+        vec4: "vec4",
+        ivec2: "ivec2",
+        mat3: "mat3",
+        mat4: "mat4",
+    },
+    textures={int: "isampler2D", bool: "usampler2D", **dict.fromkeys((float, vec2, vec3, vec4), "sampler2D")},
+    calls={
+        "sqrt": "sqrt({0})",
+        "floor": "floor({0})",
+        "pow": "pow({0}, {1})",
+        "exp": "exp({0})",
+        "exp2": "exp2({0})",
+        "log2": "log2({0})",
+        "float32": "float({0})",
+        "int32": "int({0})",
+        "size": "textureSize({0}, 0)",
+    },
+    texel="texelFetch({0}, {1}, 0)",
+    element=f"texelFetch({{0}}, ivec2({{1}} % {ARRAY_WIDTH}, {{1}} / {ARRAY_WIDTH}), 0)",
+    four_channels=True,
+    products={
+        mat3: "(m[0] * v.x + m[1] * v.y) + m[2] * v.z",
+        mat4: "((m[0] * v.x + m[1] * v.y) + m[2] * v.z) + m[3] * v.w",
+    },
+    splat="{0}({1})",
+    constant="const",
+    exact="precise ",
+    returned=("return {struct}({values});",),
+    given={
+        "pixel": "ivec2(gl_FragCoord.xy)",
+        "depth": "gl_FragCoord.z",
+        "triangle": "gl_PrimitiveID",
+        "vertex_number": "gl_VertexID",
+    },
+    placed=("gl_Position = {0};",),
+    variables=frozenset(WORDS.split()),
+    functions=frozenset(WORDS.split()),
+    most_outputs=8,
+    head=("#version 400 core",),  # the first with `precise`: no sum reordered, nothing fused
+    vertex=vertex,
+    fragment=fragment,
+)
+
+PRECISION = [f"precision highp {kind};" for kind in ("float", "int", "sampler2D", "isampler2D", "usampler2D")]
+ESSL = replace(
+    GLSL,
+    exact="",
+    given={**GLSL.given, "triangle": TRIANGLE},
+    functions=GLSL.functions | frozenset(BUILT_INS.split()),
+    most_outputs=4,
+    head=("#version 300 es", *PRECISION),
+)

@@ -1,0 +1,114 @@
+"""HLSL, Shader Model 4 and newer, for Direct3D.
+
+Direct3D counts rows from the top and has depths 0 <= z <= w. The vertex shaders turn the picture over, so that row 0 in
+memory is the bottom row, as everywhere in this package, and a sample on an edge belongs to the same triangle (rule R3).
+Hence textures, pixels and what is read back need no flip. Depth is that of (z + w)/2, rounded otherwise than in OpenGL.
+Matrices lie in the constant buffer row after row; elements of its arrays start 16 bytes apart, as always in Direct3D.
+"""
+
+from sss_ref.interpret.shader.dialect import ARRAY_WIDTH, Dialect, Parts
+from sss_ref.interpret.shader.glsl import GLSL
+from sss_ref.interpret.shader.text import braced, comment, indented, joined
+from sss_ref.language.types import ivec2, mat3, mat4, vec2, vec3, vec4
+
+WORDS = """
+asm auto case catch cbuffer centroid char column_major const const_cast default delete discard double dynamic_cast enum
+explicit export extern friend goto groupshared half inline inout interface line lineadj linear long matrix mutable
+namespace new nointerpolation noperspective operator out packoffset pixelfragment point precise private protected public
+register reinterpret_cast returned row_major sample sampler shared short signed sizeof snorm static static_cast string
+struct switch tbuffer technique template texture this throw triangle triangleadj typedef typename uniform union unorm
+unsigned using vector vertexfragment virtual void volatile
+"""  # those that Python allows as a name, and that of a struct a function returns
+INTRINSICS = """
+abs acos all any asin atan ceil clamp clip cos cosh cross degrees determinant distance dot dst exp exp2 faceforward
+floor fmod frac frexp fwidth isfinite isinf isnan ldexp length lerp lit log log2 mad max min modf mul noise normalize
+pow radians rcp reflect refract round rsqrt saturate sign sin sinh smoothstep sqrt step tan tanh transpose trunc
+"""  # functions: a shader's own must differ in name, or calls of the two are ambiguous
+
+NUMBER, WINDOW, PRIMITIVE, CLIP = "vertex_number", "window", "primitive", "clip_position"  # inputs and output of `main`
+
+
+def vertex(parts: Parts, dialect: Dialect) -> str:
+    """A complete vertex shader."""
+    attributes = [f"{dialect.declared(kind, name)} : {name.upper()}" for name, kind in parts.attributes.items()]
+    number = [] if parts.mesh else [f"uint {NUMBER} : SV_VertexID"]
+    position = [f"out precise float4 {CLIP} : SV_Position"]
+    return _shader(parts, dialect, [*attributes, *number, *position, *_varyings(parts, dialect, "out precise ")])
+
+
+def fragment(parts: Parts, dialect: Dialect) -> str:
+    """A complete pixel shader; it names all that the vertex shader hands on, in that order, as Direct3D wants it."""
+    window, primitive = [f"float4 {WINDOW} : SV_Position"], [f"uint {PRIMITIVE} : SV_PrimitiveID"] * parts.mesh
+    written = [
+        f"out {'' if kind in (bool, int) else dialect.exact}{dialect.written(kind, name)} : SV_Target{k}"
+        for k, (name, kind) in enumerate(parts.outputs.items())
+    ]
+    return _shader(parts, dialect, [*window, *_varyings(parts, dialect, ""), *primitive, *written])
+
+
+def _varyings(parts: Parts, dialect: Dialect, before: str) -> list[str]:
+    return [
+        f"{before}{dialect.declared(kind, name)} : TEXCOORD{k}" for k, (name, kind) in enumerate(parts.varyings.items())
+    ]
+
+
+def _shader(parts: Parts, dialect: Dialect, parameters: list[str]) -> str:
+    textures = [f"{declared};" for declared in parts.textures]
+    uniforms = [f"{'row_major ' * ('x' in each.split()[0])}{each};" for each in parts.uniforms]
+    constants = braced("cbuffer Uniforms", uniforms, end="};") if uniforms else []
+    ends = ["," for _ in parameters[1:]] + [""]
+    listed = indented([parameter + end for parameter, end in zip(parameters, ends, strict=True)])
+    main = ["void main(", *listed, *braced(")", parts.lines)]
+    return joined([comment(parts.about), textures, constants, parts.definitions.splitlines(), main])
+
+
+HLSL = Dialect(
+    types={
+        float: "float",
+        int: "int",
+        bool: "bool",
+        vec2: "float2",
+        vec3: "float3",
+        vec4: "float4",
+        ivec2: "int2",
+        mat3: "float3x3",
+        mat4: "float4x4",
+    },
+    textures={
+        int: "Texture2D<int>",
+        bool: "Texture2D<uint>",
+        float: "Texture2D<float>",
+        vec2: "Texture2D<float2>",
+        vec3: "Texture2D<float3>",
+        vec4: "Texture2D<float4>",
+    },
+    calls={name: call for name, call in GLSL.calls.items() if name != "size"},
+    texel="{0}.Load(int3({1}, 0))",
+    element=f"{{0}}.Load(int3({{1}} % {ARRAY_WIDTH}, {{1}} / {ARRAY_WIDTH}, 0))",
+    four_channels=False,
+    products={  # m[0] is a row here and a column in GLSL
+        mat3: "(transpose(m)[0] * v.x + transpose(m)[1] * v.y) + transpose(m)[2] * v.z",
+        mat4: "((transpose(m)[0] * v.x + transpose(m)[1] * v.y) + transpose(m)[2] * v.z) + transpose(m)[3] * v.w",
+    },
+    splat="({0}){1}",
+    constant="static const",
+    exact="precise ",
+    returned=("{struct} returned = {{{values}}};", "return returned;"),
+    given={
+        "pixel": f"int2({WINDOW}.xy)",
+        "depth": f"{WINDOW}.z",
+        "triangle": f"int({PRIMITIVE})",
+        "vertex_number": NUMBER,
+    },
+    placed=(
+        f"{CLIP} = {{0}} * float4(1.0, -1.0, 1.0, 1.0);",
+        f"{CLIP}.z = ({CLIP}.z + {CLIP}.w) * 0.5;",
+    ),
+    variables=frozenset(WORDS.split()),
+    functions=frozenset((WORDS + INTRINSICS).split()),
+    most_outputs=8,
+    head=(),
+    vertex=vertex,
+    fragment=fragment,
+    size=("uint width, height;", "map.GetDimensions(width, height);", "return int2(width, height);"),
+)

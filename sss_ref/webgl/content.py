@@ -1,0 +1,119 @@
+"""The page of a scene: its mesh, uniforms, textures and shaders, with the script that draws them, in one file."""
+
+import base64
+import json
+from collections.abc import Collection, Mapping
+from html import escape
+from importlib.resources import files
+from typing import Any
+
+import numpy as np
+
+from sss_ref.errors import SceneError
+from sss_ref.gl.textures import texture_data, vertex_attributes
+from sss_ref.interpret.shader import ESSL, array_lengths, draws, fragment_shader, vertex_shader
+from sss_ref.interpret.work import CHANNELS, dtype_of
+from sss_ref.language.pipeline import MeshDraw, Method, Pass
+from sss_ref.methods.catalogue import method_of
+from sss_ref.passes.buffers import background
+from sss_ref.scene.load import Scene
+from sss_ref.scene.uniforms import uniforms
+
+KINDS = {"f": "float", "i": "int", "u": "bool"}  # kind of number -> the script's name
+
+
+def page(scene: Scene, keep: Collection[str] | None = None) -> str:
+    """A page of HTML, to be opened in a browser, that draws a scene with WebGL 2.
+
+    It reads nothing but itself and sends nothing. A buffer becomes a file NAME.npy to save, row 0 at the bottom, named
+    and typed as that of a rendering. A UV layout that overlaps is drawn even where the scene's policy is "error".
+    keep: the names of the buffers to offer (None: all of the method); only what they need is drawn.
+    Raises SceneError for the name of no buffer.
+    """
+    folder, title = files("sss_ref.webgl"), f"sss_ref: {scene.mesh.name}"
+    text = json.dumps(drawing(scene, keep)).replace("<", "\\u003c")
+    template, script = ((folder / name).read_text(encoding="utf-8") for name in ("page.html", "draw.js"))
+    return template.format(title=escape(title), scene=text, script=script)
+
+
+def drawing(scene: Scene, keep: Collection[str] | None) -> dict[str, Any]:
+    """All that the script needs, as JSON has it; arrays are little-endian bytes in base 64."""
+    method, values = method_of(scene.settings, scene.own_stages), uniforms(scene)
+    kept, textures = _kept(method, keep), texture_data(values)
+    return {
+        "passes": _passes(method.only({*kept}), kept, scene, values),
+        "kept": kept,
+        "uniforms": {name: np.ravel(value).tolist() for name, value in values.items() if name not in textures},
+        "textures": {name: _texture(data) for name, data in textures.items()},
+        "triangles": _base64(scene.mesh.triangles),
+        "attributes": {
+            name: {"channels": data.shape[1], "data": _base64(data)}
+            for name, data in vertex_attributes(scene.mesh).items()
+        },
+    }
+
+
+def _kept(method: Method, keep: Collection[str] | None) -> list[str]:
+    """The buffers to offer, in stage order."""
+    for wrong in sorted({*(keep or ())} - {*method.outputs}):
+        raise SceneError(f"keep: expected names of buffers ({', '.join(method.outputs)}), got {wrong!r}")
+    return [name for name in method.outputs if keep is None or name in keep]
+
+
+def _passes(method: Method, kept: Collection[str], scene: Scene, values: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """The passes, each with the draws that fill what is kept of it or read later."""
+    listed: list[dict[str, Any]] = []
+    there: set[str] = set()
+    for number, one in enumerate(method.passes, 1):
+        later = {name for each in method.passes[number:] for name in each.needs}
+        wanted = {*kept} | later | set(one.feedback.values())
+        listed.append(_pass(one, scene) | {"draws": _draws(one, wanted, there, values)})
+        there |= wanted & set(one.outputs)
+    return listed
+
+
+def _pass(one: Pass, scene: Scene) -> dict[str, Any]:
+    """How a pass is drawn."""
+    settings, draw = scene.settings, one.draw
+    target, layout = getattr(settings, one.target), isinstance(draw, MeshDraw) and draw.layout
+    return {
+        "width": target.width,
+        "height": target.height,
+        "mesh": isinstance(draw, MeshDraw),
+        "laterWins": layout and settings.irradiance_map.overlap == "last",
+        "rounds": one.rounds,
+        "feedback": dict(one.feedback),
+    }
+
+
+def _draws(
+    one: Pass, wanted: Collection[str], buffers: Collection[str], values: Mapping[str, Any]
+) -> list[dict[str, Any]]:
+    """The draws of a pass: their shaders and the buffers that they fill."""
+    lengths = array_lengths(values)
+    return [
+        {
+            "name": name,
+            "vertex": vertex_shader(one, lengths, ESSL),
+            "fragment": fragment_shader(one, buffers, outputs, lengths, ESSL),
+            "outputs": [_output(output, one.outputs[output], values) for output in outputs],
+        }
+        for name, outputs in draws(one, wanted, ESSL.most_outputs).items()
+    ]
+
+
+def _output(name: str, kind: Any, values: Mapping[str, Any]) -> dict[str, Any]:
+    """A buffer and what it holds before the draw, in four channels."""
+    clear = np.resize(np.asarray(background(name, values), dtype_of(kind)), 4).tolist()
+    return {"name": name, "kind": KINDS[dtype_of(kind).kind], "channels": CHANNELS[kind], "background": clear}
+
+
+def _texture(data: np.ndarray) -> dict[str, Any]:
+    """A texture (H, W) or (H, W, C)."""
+    height, width, channels = (*data.shape, 1)[:3]
+    kind = KINDS[data.dtype.kind]
+    return {"kind": kind, "channels": channels, "width": width, "height": height, "data": _base64(data)}
+
+
+def _base64(data: np.ndarray) -> str:
+    return base64.b64encode(np.ascontiguousarray(data, data.dtype.newbyteorder("<")).tobytes()).decode("ascii")
