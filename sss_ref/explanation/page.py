@@ -4,6 +4,7 @@ from html import escape
 
 from sss_ref.explanation.rows import Row, Section
 
+# Notebooks align the cells of every table to the right; only `tr[class] td` is specific enough to outdo them.
 STYLE = """
 <style>
 .sss-explanation { font: 13px/1.45 system-ui, sans-serif; max-width: 100%; overflow-x: auto; }
@@ -12,12 +13,13 @@ STYLE = """
 .sss-explanation summary b { font-family: ui-monospace, monospace; }
 .sss-explanation .note { opacity: 0.65; }
 .sss-explanation table { border-collapse: collapse; margin: 0 0 0.6em 1em; }
-.sss-explanation td { font-family: ui-monospace, monospace; text-align: left; padding: 1px 14px 1px 0; border: 0;
-  white-space: pre; }
+.sss-explanation tr[class] td { font-family: ui-monospace, monospace; text-align: left; vertical-align: top;
+  white-space: pre; padding: 1px 14px 1px 0; border: 0; }
+.sss-explanation tr[class] td:first-child { white-space: pre-wrap; min-width: 24em; max-width: 32em; }
 .sss-explanation .read td, .sss-explanation .call td, .sss-explanation .turn td { opacity: 0.65; }
-.sss-explanation td.bits { opacity: 0.5; }
-.sss-explanation td.glsl { color: #2a7f4f; }
-.sss-explanation td.unit { font-family: inherit; opacity: 0.65; }
+.sss-explanation tr[class] td.bits { opacity: 0.5; }
+.sss-explanation tr[class] td.glsl { color: #2a7f4f; }
+.sss-explanation tr[class] td.unit { font-family: inherit; opacity: 0.65; }
 </style>
 """
 

@@ -1,0 +1,39 @@
+"""One stage run again on what a rendering left, as plain NumPy, with some of its inputs changed."""
+
+from typing import Any
+
+import numpy as np
+
+from sss_ref import Result
+from sss_ref.interpret.work import buffer_value, dtype_of, shape_of, store, uniform_value
+from sss_ref.language import Stage, ivec2
+from sss_ref.scene.uniforms import uniforms
+
+
+def rerun(stage: Stage, result: Result, /, **changed: Any) -> dict[str, np.ndarray]:
+    """What a stage of the camera's picture writes: name -> (H, W) or (H, W, C), 0 beside the model.
+
+    result: a rendering with all its buffers; the stage reads these and the scene's uniforms.
+    changed: inputs to use instead: a buffer of the same size, or a uniform.
+    """
+    rows, columns = np.nonzero(result["coverage"])
+    given: dict[str, Any] = uniforms(result.scene) | dict(result.buffers) | changed
+    values: dict[str, Any] = {"pixel": ivec2(columns.astype(np.int32), rows.astype(np.int32))}
+    for name, kind in stage.parameters.items():
+        if name not in values:
+            fragments = name in result.buffers
+            values[name] = (
+                buffer_value(kind, given[name], rows, columns) if fragments else uniform_value(kind, given[name])
+            )
+    outputs = stage(*(values[name] for name in stage.parameters))
+    return {name: _picture(value, stage, name, result) for name, value in outputs._asdict().items()}
+
+
+def _picture(value: Any, stage: Stage, name: str, result: Result) -> np.ndarray:
+    """A stage's output at the covered pixels as a buffer."""
+    rows, columns = np.nonzero(result["coverage"])
+    height, width = result["coverage"].shape
+    kind = stage.outputs[name]
+    buffer = np.zeros(shape_of(kind, width, height), dtype_of(kind))
+    store(buffer, rows, columns, value)
+    return buffer

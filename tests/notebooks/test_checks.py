@@ -1,0 +1,94 @@
+"""Every check of the course takes the right answer and turns down the errors that readers make."""
+
+import inspect
+import math
+
+import checks
+import pytest
+
+from sss_ref.language import reflect
+
+RIGHT = {
+    checks.distance_of_a_wall: [lambda depth, angle: depth / math.cos(angle)],
+    checks.cover_once: [
+        lambda edges, owned: all(e > 0 or (e == 0 and own) for e, own in zip(edges, owned, strict=True)),
+    ],
+    checks.mirrored: [
+        lambda normal, to_light: reflect(-to_light, normal),
+        lambda normal, to_light: normal * (2 * sum(a * b for a, b in zip(normal, to_light, strict=True))) - to_light,
+    ],
+    checks.colour_kept: [lambda weights: weights / weights.sum(axis=0)],
+    checks.way_inside: [
+        lambda crossings: sum(out - into for into, out in zip(crossings[::2], crossings[1::2], strict=True))
+    ],
+    checks.texel_that_holds: [lambda u, width: min(int(u * width), width - 1)],
+    checks.blur_on_the_body: [
+        lambda pixels, distance, fov_y, height: pixels * 2 * distance * math.tan(math.radians(fov_y / 2)) / height,
+    ],
+}
+WRONG = {
+    checks.distance_of_a_wall: [
+        lambda depth, angle: depth * math.cos(angle),
+        lambda depth, angle: depth / math.sin(angle) if angle else depth,
+        lambda depth, angle: depth / math.cos(math.radians(angle)),
+    ],
+    checks.cover_once: [
+        lambda edges, owned: all(e > 0 for e in edges),
+        lambda edges, owned: all(e >= 0 and own for e, own in zip(edges, owned, strict=True)),
+        lambda edges, owned: all(e > 0 for e in edges) or any(owned),
+    ],
+    checks.mirrored: [
+        lambda normal, to_light: -to_light,
+        lambda normal, to_light: to_light,
+        lambda normal, to_light: normal * sum(a * b for a, b in zip(normal, to_light, strict=True)) - to_light,
+    ],
+    checks.colour_kept: [
+        lambda weights: weights / weights.max(axis=0),
+        lambda weights: weights / weights.sum(axis=1, keepdims=True),
+        lambda weights: weights + (1 - weights.sum(axis=0)) / len(weights),
+        lambda weights: weights.sum(axis=0),
+    ],
+    checks.way_inside: [
+        lambda crossings: crossings[-1] - crossings[-2],
+        lambda crossings: sum(crossings[2::2]) - sum(crossings[1:-1:2]),
+    ],
+    checks.texel_that_holds: [
+        lambda u, width: int(u * (width - 1)),
+        lambda u, width: int(u * width),
+        lambda u, width: min(math.ceil(u * width), width - 1),
+    ],
+    checks.blur_on_the_body: [
+        lambda pixels, distance, fov_y, height: pixels * distance * math.tan(math.radians(fov_y / 2)) / height,
+        lambda pixels, distance, fov_y, height: pixels * 2 * distance * math.tan(fov_y / 2) / height,
+        lambda pixels, distance, fov_y, height: pixels * 2 * distance * math.tan(math.radians(fov_y)) / height,
+    ],
+}
+
+
+def cases(answers):
+    return [
+        pytest.param(check, answer, id=f"{check.__name__}-{number}")
+        for check, given in answers.items()
+        for number, answer in enumerate(given)
+    ]
+
+
+@pytest.mark.parametrize(("check", "answer"), cases(RIGHT))
+def test_right_answers_pass(check, answer, capsys):
+    check(answer)
+    checks.verdict(check, answer)
+    assert capsys.readouterr().out == "Right.\n"
+
+
+@pytest.mark.parametrize(("check", "answer"), cases(WRONG))
+def test_wrong_answers_get_a_hint(check, answer, capsys):
+    with pytest.raises(checks.NotYet):
+        check(answer)
+    checks.verdict(check, answer)
+    assert capsys.readouterr().out.startswith("Not yet: ")
+
+
+def test_every_check_is_tried_both_ways():
+    functions = [value for value in vars(checks).values() if inspect.isfunction(value)]
+    found = {one for one in functions if list(inspect.signature(one).parameters) == ["answer"]}
+    assert set(RIGHT) == set(WRONG) == found

@@ -1,0 +1,55 @@
+"""The course's sliders redraw their figure, and leave a picture for readers without widgets."""
+
+import base64
+import io
+
+import figures
+import numpy as np
+import pytest
+from matplotlib import pyplot
+from PIL import Image
+
+
+@pytest.fixture(autouse=True)
+def no_window():
+    pyplot.switch_backend("agg")
+    yield
+    pyplot.close("all")
+
+
+def gray(level):
+    figure, (axes,) = figures.row(1)
+    figures.picture(axes, np.full((4, 4, 3), level, np.float32), "")
+    return figure
+
+
+def middle(png):
+    image = Image.open(io.BytesIO(png)).convert("RGB")
+    return image.getpixel((image.width // 2, image.height // 2))
+
+
+def test_a_moved_slider_redraws_the_figure():
+    sliders = figures.Sliders(gray, level=(0.0, 0.0, 1.0))
+    assert middle(sliders.shown.value) == (0, 0, 0)
+    sliders.controls["level"].value = 1.0
+    assert middle(sliders.shown.value) == (255, 255, 255)
+
+
+def test_without_widgets_the_first_picture_is_shown():
+    bundle = figures.Sliders(gray, level=(0.0, 1.0, 1.0))._repr_mimebundle_()
+    assert "application/vnd.jupyter.widget-view+json" in bundle
+    assert middle(base64.b64decode(bundle["image/png"])) == (255, 255, 255)
+
+
+def test_no_figure_stays_open_behind_the_sliders():
+    figures.Sliders(gray, level=(0.0, 0.5, 1.0))
+    assert pyplot.get_fignums() == []
+
+
+def test_row_0_is_at_the_bottom():
+    image = np.zeros((2, 1, 3), np.float32)
+    image[1] = 1.0  # the upper row is white
+    figure, (axes,) = figures.row(1)
+    figures.picture(axes, image, "")
+    figure.canvas.draw()
+    assert axes.transData.transform((0, 1))[1] > axes.transData.transform((0, 0))[1]

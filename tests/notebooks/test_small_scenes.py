@@ -1,0 +1,47 @@
+"""The course's scenes take any mesh, and put it where the shipped head stands."""
+
+import numpy as np
+import pytest
+import small_scenes
+from scenes import cube, written
+
+import sss_ref
+from sss_ref.scene.light_fit import Bounds
+
+
+def bounds(scene):
+    corners = np.c_[scene.mesh.positions, np.ones(len(scene.mesh.positions))]
+    return Bounds.around(corners @ np.asarray(scene.world_from_model)[:3].T)
+
+
+def test_the_shipped_head_is_left_as_it_is():
+    scene, shipped = small_scenes.load("figure3_with", "bust"), sss_ref.load_scene("figure3_with")
+    assert np.array_equal(scene.world_from_model, shipped.world_from_model)
+
+
+@pytest.mark.parametrize("head", ["molar_enamel", "own"])
+def test_another_head_gets_its_bounds(head, tmp_path):
+    path = written(tmp_path / "own.obj", cube()[0] * 150 + 40, cube()[1]) if head == "own" else head
+    own, model = bounds(small_scenes.load("figure3_with", path)), bounds(small_scenes.load("figure3_with", "bust"))
+    assert np.isclose(own.radius, model.radius)
+    assert np.allclose(own.centre, model.centre, atol=1e-6)
+
+
+def test_a_head_without_uvs_gets_some(tmp_path):
+    pytest.importorskip("xatlas")
+    scene = small_scenes.load("figure5", written(tmp_path / "own.obj", *cube()))
+    assert scene.mesh.uvs is not None
+
+
+def test_a_missing_head_is_named():
+    with pytest.raises(sss_ref.MeshError, match=r"HEAD: expected a mesh file .* got 'nobody\.obj'"):
+        small_scenes.load("figure5", "nobody.obj")
+
+
+def test_sizes_can_be_overridden():
+    scene = small_scenes.load("figure5", size=64, **{"shadow_map.width": 32})
+    assert (scene.settings.camera.width, scene.settings.shadow_map.width, scene.settings.shadow_map.height) == (
+        64,
+        32,
+        128,
+    )
