@@ -21,6 +21,10 @@ class DumpError(SssRefError):
     """A folder of buffers cannot be written or read back."""
 
 
+class ProfileError(SssRefError):
+    """A profile of a processor is wrong; the message lists every problem found, one per line."""
+
+
 class StageError(SssRefError):
     """A function is not in the shader language; the message names file, line and rule."""
 

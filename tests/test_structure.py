@@ -49,6 +49,7 @@ MAY_IMPORT = {
     "webgl": {"gl", "interpret", "language", "passes", "scene", "methods"},
     "io": {"language", "interpret", "passes", "scene", "methods", "result", "rendering", "samples"},
     "validation": {
+        "numerics",
         "language",
         "raster",
         "interpret",

@@ -1,6 +1,6 @@
 """The shader language: GLSL's types and built-ins as Python, and `@stage`, which checks a contract."""
 
-from sss_ref.language.builtins import clamp, dot, length, mix, normalize, reflect
+from sss_ref.language.builtins import clamp, dot, fract, length, mix, normalize, reflect
 from sss_ref.language.primitives import (
     exp,
     exp2,
@@ -19,6 +19,7 @@ from sss_ref.language.primitives import (
 )
 from sss_ref.language.sampling import (
     bilinear_blend,
+    fractional_part,
     nearest_texel,
     sample_bilinear,
     sample_bilinear_clamped,

@@ -1,6 +1,6 @@
 """The built-ins that are written in the language itself, named as in GLSL; no interpreter needs to know them."""
 
-from sss_ref.language.primitives import genType, max, min, number, select, sqrt
+from sss_ref.language.primitives import floor, genType, max, min, number, select, sqrt
 from sss_ref.language.stage import function
 from sss_ref.language.types import vec3
 
@@ -9,6 +9,12 @@ from sss_ref.language.types import vec3
 def clamp(x: number, low: number, high: number) -> number:
     """X, but not below low nor above high."""
     return min(max(x, low), high)
+
+
+@function
+def fract(x: genType) -> genType:
+    """X - floor(x); rounding makes it 1 just below 0."""
+    return x - floor(x)
 
 
 @function

@@ -2,7 +2,7 @@
 
 from typing import TypeVar
 
-from sss_ref.language.builtins import clamp, mix
+from sss_ref.language.builtins import clamp, fract, mix
 from sss_ref.language.primitives import float32, floor, genType, int32, select, size, texel
 from sss_ref.language.stage import function
 from sss_ref.language.types import Texture, ivec2, vec2
@@ -28,6 +28,12 @@ def texel_position(map_size: ivec2, uv: vec2) -> vec2:
 def whole_part(position: vec2) -> ivec2:
     """The texel to the lower left of a position in texels."""
     return ivec2(int32(floor(position.x)), int32(floor(position.y)))
+
+
+@function
+def fractional_part(position: vec2) -> vec2:
+    """How far a position lies from its whole_part: the weights of the right and of the upper neighbour, 0 to 1."""
+    return fract(position)
 
 
 @function
@@ -61,7 +67,7 @@ def sample_bilinear(texture: Texture[genType], corner: ivec2, t: vec2) -> genTyp
 def sample_bilinear_clamped(texture: Texture[genType], uv: vec2) -> genType:
     """GL_LINEAR with GL_CLAMP_TO_EDGE: uv is brought to 0 ... 1 first."""
     at = texel_position(size(texture), vec2(clamp(uv.x, 0.0, 1.0), clamp(uv.y, 0.0, 1.0)))
-    return sample_bilinear(texture, whole_part(at), vec2(at.x - floor(at.x), at.y - floor(at.y)))
+    return sample_bilinear(texture, whole_part(at), fractional_part(at))
 
 
 @function
@@ -78,14 +84,19 @@ def texel_repeated(texture: Texture[T], at: ivec2) -> T:
 
 
 @function
-def sample_bilinear_repeat(texture: Texture[genType], uv: vec2) -> genType:
-    """GL_LINEAR with GL_REPEAT: as between the texel centres around u - floor(u), v - floor(v)."""
-    at = texel_position(size(texture), vec2(uv.x - floor(uv.x), uv.y - floor(uv.y)))
+def sample_repeated(texture: Texture[genType], at: vec2) -> genType:
+    """GL_LINEAR at a position at most one texel beside the texture, which repeats there."""
     corner = whole_part(at)
     return bilinear_blend(
         texel_repeated(texture, corner),
         texel_repeated(texture, corner + ivec2(1, 0)),
         texel_repeated(texture, corner + ivec2(0, 1)),
         texel_repeated(texture, corner + ivec2(1, 1)),
-        vec2(at.x - floor(at.x), at.y - floor(at.y)),
+        fractional_part(at),
     )
+
+
+@function
+def sample_bilinear_repeat(texture: Texture[genType], uv: vec2) -> genType:
+    """GL_LINEAR with GL_REPEAT: as between the texel centres around u - floor(u), v - floor(v)."""
+    return sample_repeated(texture, texel_position(size(texture), fract(uv)))

@@ -1,4 +1,5 @@
-"""Correctly rounded float32 pow, exp2, log2 and exp: the same bits in array code and in compiled code (rule A2).
+"""Correctly rounded float32 pow, exp2, log2 and exp, and intervals of what a processor may compute.
 
-`elementary` holds the functions and their array forms (NumPy only), `scalar` their compiled forms.
+`elementary` holds the functions and their array forms (NumPy only), `scalar` their compiled forms: the same bits in
+array code and in compiled code (rule A2). `interval` holds sets of values, `arithmetic` what operations make of them.
 """

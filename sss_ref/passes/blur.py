@@ -11,7 +11,7 @@ from sss_ref.language import (
     Texture,
     bilinear_blend,
     constant,
-    floor,
+    fractional_part,
     function,
     ivec2,
     sample_bilinear,
@@ -36,8 +36,7 @@ class Scattered(NamedTuple):
 @function
 def tap_sample(picture: Texture[vec3], pixel: ivec2, offset: vec2) -> vec3:
     """The picture at a pixel moved by an offset in pixels, bilinear, clamped to the edge."""
-    fraction = vec2(offset.x - floor(offset.x), offset.y - floor(offset.y))
-    return sample_bilinear(picture, pixel + whole_part(offset), fraction)
+    return sample_bilinear(picture, pixel + whole_part(offset), fractional_part(offset))
 
 
 @stage(source="paper 3.2, Table 1")
@@ -89,7 +88,7 @@ def tap_inside(lit: Texture[vec3], coverage: Texture[bool], pixel: ivec2, offset
         lit_inside(lit, coverage, corner + ivec2(1, 0)),
         lit_inside(lit, coverage, corner + ivec2(0, 1)),
         lit_inside(lit, coverage, corner + ivec2(1, 1)),
-        vec2(offset.x - floor(offset.x), offset.y - floor(offset.y)),
+        fractional_part(offset),
     )
 
 
@@ -102,7 +101,7 @@ def tap_coverage(coverage: Texture[bool], pixel: ivec2, offset: vec2) -> float:
         covered(coverage, corner + ivec2(1, 0)),
         covered(coverage, corner + ivec2(0, 1)),
         covered(coverage, corner + ivec2(1, 1)),
-        vec2(offset.x - floor(offset.x), offset.y - floor(offset.y)),
+        fractional_part(offset),
     )
 
 

@@ -6,7 +6,7 @@ from sss_ref.language import (
     Texture,
     constant,
     dot,
-    floor,
+    fractional_part,
     function,
     ivec2,
     length,
@@ -119,7 +119,7 @@ def shadow_lookup_bilinear(
     nearest = texel(light_distance, nearest_texel(size(light_distance), uv))
     at = texel_position(size(light_distance), uv)
     corner = whole_part(at)
-    blended = sample_bilinear(light_distance, corner, vec2(at.x - floor(at.x), at.y - floor(at.y)))
+    blended = sample_bilinear(light_distance, corner, fractional_part(at))
     stored = select(all_surface(light_triangle, corner), blended, nearest)
     return ShadowLookup(uv, valid, select(valid, stored, length(position_world - light_position)))
 

@@ -17,6 +17,7 @@ from sss_ref.language import (
     exp2,
     float32,
     floor,
+    fract,
     int32,
     length,
     log2,
@@ -44,12 +45,14 @@ class Scalars(NamedTuple):
     root: float
     chosen: float
     mixed: float
+    beyond_whole: float
 
 
 @stage(source="test")
 def scalar_built_ins(u: float, v: float, flag: bool) -> Scalars:
     """Those that must be right for every float32, NaN and infinity included."""
-    return Scalars(min(u, v), max(u, v), clamp(u, -1.0, v), floor(u), sqrt(u), select(flag, u, v), mix(u, v, 0.25))
+    chosen = select(flag, u, v)
+    return Scalars(min(u, v), max(u, v), clamp(u, -1.0, v), floor(u), sqrt(u), chosen, mix(u, v, 0.25), fract(u))
 
 
 def naive_scalars(u, v, flag):
@@ -63,6 +66,7 @@ def naive_scalars(u, v, flag):
         root,
         u if flag else v,
         *naive.mix([u], [v], F(0.25)),
+        u - np.floor(u),
     )
 
 

@@ -12,7 +12,7 @@ from sss_ref.interpret import arrays, kernel
 from sss_ref.language import (
     Texture,
     bilinear_blend,
-    floor,
+    fractional_part,
     ivec2,
     nearest_texel,
     sample_bilinear,
@@ -60,7 +60,7 @@ def samples(
     place = nearest_texel(size(colors), uv)
     at = texel_position(size(colors), uv)
     corner = whole_part(at)
-    t = vec2(at.x - floor(at.x), at.y - floor(at.y))
+    t = fractional_part(at)
     return Samples(
         place,
         texel(colors, place),
@@ -144,7 +144,7 @@ def test_nearest_texel_rounds_before_the_floor():
 def sample(picture, uv):
     texture = Texture(picture)
     at = texel_position(size(texture), vec2(*map(F, uv)))
-    return sample_bilinear(texture, whole_part(at), vec2(at.x - np.floor(at.x), at.y - np.floor(at.y)))
+    return sample_bilinear(texture, whole_part(at), fractional_part(at))
 
 
 def test_bilinear_at_texel_centres_is_the_texel():

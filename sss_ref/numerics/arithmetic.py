@@ -1,0 +1,261 @@
+"""The operations of a shader on intervals: what a processor may compute, given what its operands may be.
+
+`Ieee` rounds every operation correctly, so points give points: the oracle's own bits. `Bounded` knows of a processor no
+more than its error bounds: each result encloses everything that it may give.
+"""
+
+import operator
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import reduce
+from typing import Any
+
+import numpy as np
+
+from sss_ref.numerics import elementary
+from sss_ref.numerics.directed import LARGEST, SMALLEST_NORMAL, UNIT, downward, nearest, two_sum, ulp, upward
+from sss_ref.numerics.interval import (
+    INFINITY,
+    Interval,
+    chosen,
+    each_end,
+    ends,
+    hull,
+    less,
+    point,
+    product,
+    quotient,
+    unbounded_for_nan,
+    unbounded_where,
+)
+
+FLOAT64_MARGIN = 2.0**-40  # relative; float64 + - * / sqrt and NumPy's exp, exp2 and log2 err by far less
+MARGIN = 2.0**-14  # relative; what bounds leave out: products of errors, and how far an ULP reaches
+Pair = tuple[Interval, Interval]
+
+LARGEST_EXPONENT = 150.0  # 2^-150 is below every float32, so the error of exp2 need not grow beyond it
+
+
+@dataclass(frozen=True)
+class Ieee:
+    """Every operation correctly rounded, in the order written, subnormals kept (rules A1 to A3)."""
+
+    def add(self, a: Interval, b: Interval) -> Interval:
+        """All x + y."""
+        return self._nearest(each_end(lambda x, y: x + y, a, b))
+
+    def multiply(self, a: Interval, b: Interval) -> Interval:
+        """All x * y."""
+        return self._nearest(product(a, b))
+
+    def divide(self, a: Interval, b: Interval) -> Interval:
+        """All x / y; by the point 0 as IEEE has it, by an interval around 0 anything."""
+        around_zero = (b.low <= 0) & (b.high >= 0) & b.undecided
+        return unbounded_where(around_zero, self._nearest(quotient(a, b)))
+
+    def sqrt(self, x: Interval) -> Interval:
+        """All square roots; of a negative number anything."""
+        return self._nearest(each_end(np.sqrt, x))
+
+    def exp(self, x: Interval) -> Interval:
+        """All e^x."""
+        return self._elementary(elementary.exp_array, x)
+
+    def exp2(self, x: Interval) -> Interval:
+        """All 2^x."""
+        return self._elementary(elementary.exp2_array, x)
+
+    def log2(self, x: Interval) -> Interval:
+        """All log2 x."""
+        return self._elementary(elementary.log2_array, x)
+
+    def pow(self, x: Interval, y: Interval) -> Interval:
+        """All x^y, x >= 0: monotone in each, so the ends are among the corners."""
+        corners = [self._elementary(elementary.pow_array, point(a), point(b)) for a in ends(x) for b in ends(y)]
+        return hull(*corners)
+
+    def representable(self, a: Interval) -> Interval:
+        """The interval itself: every float32 is kept."""
+        return a
+
+    def _elementary(self, function: Any, *arguments: Interval) -> Interval:
+        def at(*values: Any) -> Any:
+            return np.asarray(function(*(np.asarray(value).astype(np.float32) for value in values))).astype(np.float64)
+
+        return unbounded_for_nan(each_end(at, *arguments))
+
+    def _nearest(self, exact: Interval) -> Interval:
+        return unbounded_for_nan(each_end(nearest, exact))
+
+
+@dataclass(frozen=True)
+class Bounded:
+    """Operations known by their bounds alone, in ULP of the exact value; the defaults are Vulkan's.
+
+    Sums and products give either neighbour of the exact value; sums of products come in any order, fused or not.
+    relative: what every operation may err besides, as a share of its result.
+    smallest_normal: a result closer to 0 may become 0. largest: a result beyond may become infinite.
+    largest_denominator: a quotient by more, or by less than smallest_normal, is undefined.
+    sqrt_ulp: that of 1/inversesqrt, the bounds of its two operations together.
+    exp_ulp, exp_ulp_each: exp and exp2 err by exp_ulp + exp_ulp_each*|x|.
+    log_ulp, log_absolute: log2 errs by log_ulp; for x in [0.5, 2] by log_absolute, which is no ULP, if that is more.
+    """
+
+    relative: float = 0.0
+    smallest_normal: float = SMALLEST_NORMAL
+    largest: float = LARGEST
+    largest_denominator: float = 2.0**126
+    divide_ulp: float = 2.5
+    inversesqrt_ulp: float = 2.0
+    sqrt_ulp: float = 6.5
+    exp_ulp: float = 3.0
+    exp_ulp_each: float = 2.0
+    log_ulp: float = 3.0
+    log_absolute: float = 2.0**-21
+
+    def add(self, a: Interval, b: Interval) -> Interval:
+        """All x + y."""
+        low, low_error = two_sum(a.low, b.low)
+        if a.is_point and b.is_point:
+            return self._rounded(low, low, low_error, low_error)
+        high, high_error = two_sum(a.high, b.high)
+        return self._rounded(low, high, low_error, high_error)
+
+    def multiply(self, a: Interval, b: Interval) -> Interval:
+        """All x * y."""
+        exact = product(a, b)
+        return self._rounded(exact.low, exact.high)
+
+    def divide(self, a: Interval, b: Interval) -> Interval:
+        """All x / y."""
+        one_sided = (b.low >= self.smallest_normal) | (b.high <= -self.smallest_normal)
+        undefined = ~(one_sided & (b.magnitude <= self.largest_denominator))
+        return unbounded_where(undefined, self._within(self.divide_ulp, quotient(a, b)))
+
+    def sqrt(self, x: Interval) -> Interval:
+        """All square roots; of a negative number anything."""
+        return self._within(self.sqrt_ulp, each_end(np.sqrt, x))
+
+    def inversesqrt(self, x: Interval) -> Interval:
+        """All 1 / sqrt(x); of 0 or a negative number anything."""
+        roots = Interval(1.0 / np.sqrt(x.high), 1.0 / np.sqrt(x.low))
+        return unbounded_where(x.low <= 0, self._within(self.inversesqrt_ulp, roots))
+
+    def exp(self, x: Interval) -> Interval:
+        """All e^x."""
+        return self._exponential(np.exp, x)
+
+    def exp2(self, x: Interval) -> Interval:
+        """All 2^x."""
+        return self._exponential(np.exp2, x)
+
+    def log2(self, x: Interval) -> Interval:
+        """All log2 x; of a negative number anything."""
+        exact = each_end(np.log2, x)
+        low = exact.low - np.maximum(_spread(self.log_ulp, exact.low), self._log_absolute(x.low))
+        high = exact.high + np.maximum(_spread(self.log_ulp, exact.high), self._log_absolute(x.high))
+        return self._rounded(low, high)
+
+    def pow(self, x: Interval, y: Interval) -> Interval:
+        """All x^y as exp2(y * log2(x)); of a negative number, or of 0 where y may be <= 0, anything."""
+        undefined = (x.low < 0) | ((x.low == 0) & (y.low <= 0))
+        return unbounded_where(undefined, self.exp2(self.multiply(y, self.log2(x))))
+
+    def dot(self, a: Sequence[Interval], b: Sequence[Interval]) -> Interval:
+        """All x*x' + y*y' + ...: each product and each sum but the last errs by a unit of all terms together.
+
+        A sum of squares (b is made of the values of a) is never negative.
+        """
+        terms = [product(x, y) for x, y in zip(a, b, strict=True)]
+        size, count = _total([term.magnitude for term in terms]), len(terms)
+        share = (count - 1) * UNIT + (2 * count - 1) * self.relative
+        lost = self._lost(size, share, flushes=2 * count)
+        low = _total([term.low for term in terms])
+        high = low if all(term.is_point for term in terms) else _total([term.high for term in terms])
+        squares = all(x is y for x, y in zip(a, b, strict=True))
+        return self._rounded(np.maximum(low - lost, 0.0) if squares else low - lost, high + lost)
+
+    def normalize(self, v: Sequence[Interval]) -> list[Interval]:
+        """The vectors v / length(v) and v * inversesqrt(dot(v, v)); 0 where v is."""
+        squares = self.dot(v, v)
+        length, inverse = self.sqrt(squares), self.inversesqrt(squares)
+        directions = [hull(self.divide(x, length), self.multiply(x, inverse)) for x in v]
+        zero = point(np.float64(0))
+        return [chosen(less(zero, length), x, zero) for x in directions]
+
+    def mix(self, a: Interval, b: Interval, t: Interval) -> Interval:
+        """All x*(1 - t) + y*t and x + (y - x)*t: both err by two units of both terms, before the sum is rounded."""
+        size = (a.magnitude + b.magnitude) * np.maximum(np.maximum(t.magnitude, np.abs(1.0 - t.low)), 1.0)
+        return self._around(_between(a, b, t), self._lost(size, 2 * UNIT + 4 * self.relative, flushes=4))
+
+    def bilinear(self, lower: Pair, upper: Pair, t: Pair) -> Interval:
+        """All blends of four neighbours, for t in 0 ... 1: three mixes, or one sum with products of weights."""
+        size = reduce(np.maximum, [x.magnitude for x in (*lower, *upper)])
+        exact = _between(_between(*lower, t[0]), _between(*upper, t[0]), t[1])
+        return self._around(exact, self._lost(size, 9 * UNIT + 9 * self.relative, flushes=12))
+
+    def _exponential(self, function: Any, x: Interval) -> Interval:
+        exact = each_end(function, x)
+        low = exact.low - _spread(self._exp_bound(x.low), exact.low)
+        return self._rounded(low, exact.high + _spread(self._exp_bound(x.high), exact.high))
+
+    def _exp_bound(self, x: Any) -> Any:
+        return self.exp_ulp + self.exp_ulp_each * np.minimum(np.abs(x), LARGEST_EXPONENT)
+
+    def _log_absolute(self, x: Any) -> Any:
+        """The absolute bound, and some way beyond its limits, so that no end lies inside one next to it."""
+        return np.where((x > 0.49) & (x < 2.04), self.log_absolute, 0.0)
+
+    def _around(self, exact: Interval, lost: Any) -> Interval:
+        return self._rounded(exact.low - lost, exact.high + lost)
+
+    def _lost(self, size: Any, share: float, flushes: int) -> Any:
+        """What operations on terms of this size may lose: a share of it, and results so small that they become 0."""
+        return size * (share * (1.0 + MARGIN)) + np.minimum(size, flushes * self.smallest_normal)
+
+    def _within(self, ulps: float, exact: Interval) -> Interval:
+        low = exact.low - _spread(ulps, exact.low)
+        return self._rounded(low, exact.high + _spread(ulps, exact.high))
+
+    def _rounded(self, low: Any, high: Any, low_error: Any = None, high_error: Any = None) -> Interval:
+        """The numbers of float32 around these bounds, as far as this arithmetic has them."""
+        if self.relative:
+            low, high = low - self.relative * np.abs(low), high + self.relative * np.abs(high)
+        return self.representable(Interval(downward(low, low_error), upward(high, high_error)))
+
+    def representable(self, a: Interval) -> Interval:
+        """The interval with 0 where it has a number too small for this arithmetic, infinity where one too large."""
+        if all(map(self._ordinary, ends(a))):
+            return a
+        return Interval(self._low_in_range(a.low), -self._low_in_range(-a.high))
+
+    def _ordinary(self, x: Any) -> bool:
+        """Whether all numbers are 0 or normal."""
+        size = np.abs(x)
+        return bool(size.max(initial=0.0) <= self.largest) and not np.any((size < self.smallest_normal) & (size > 0))
+
+    def _low_in_range(self, low: Any) -> Any:
+        """A lower end in the range of normal numbers; NaN becomes -inf."""
+        near_zero = np.where(low < 0, -self.smallest_normal, 0.0)
+        normal = np.where(np.abs(low) < self.smallest_normal, near_zero, low)
+        return np.where(normal > self.largest, self.largest, np.where(normal >= -self.largest, normal, -INFINITY))
+
+
+def _spread(ulps: Any, x: Any) -> Any:
+    """So many ULP of x in absolute terms; just below a power of 2 that of the larger ULP, which is next to it."""
+    size = np.minimum(np.abs(x), LARGEST)
+    return ulps * ulp(size * (1.0 + MARGIN)) + FLOAT64_MARGIN * size
+
+
+def _between(a: Interval, b: Interval, t: Interval) -> Interval:
+    """All x*(1 - t) + y*t in float64: linear in t, so those at its ends enclose the others."""
+    return hull(*(_blend(a, b, weight) for weight in ends(t)))
+
+
+def _blend(a: Interval, b: Interval, weight: Any) -> Interval:
+    of_a, of_b = product(a, point(1.0 - weight)), product(b, point(weight))
+    return each_end(operator.add, of_a, of_b)
+
+
+def _total(terms: Sequence[Any]) -> Any:
+    return reduce(operator.add, terms)

@@ -1,0 +1,79 @@
+"""Profiles by name, or from a TOML file: what a processor has other than the profile it is based on."""
+
+import os
+import tomllib
+from collections.abc import Mapping
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import Any, Literal, get_type_hints
+
+from pydantic import BaseModel, ValidationError, create_model
+
+from sss_ref.errors import ProfileError
+from sss_ref.interpret.profile import PROFILES, Profile
+from sss_ref.numerics.arithmetic import Bounded
+from sss_ref.scene.problems import described, told
+from sss_ref.scene.quantities import Count, NonNegative, Table
+
+CHECKED: dict[Any, Any] = {float: NonNegative, int: Count}  # what the numbers of a profile must be
+
+
+def _keys_of(described_class: type) -> dict[str, Any]:
+    """The fields of a dataclass that a file may give: name -> type and default, as pydantic takes them."""
+    hints = get_type_hints(described_class)
+    own = [field for field in fields(described_class) if field.name != "arithmetic"]
+    return {field.name: (CHECKED.get(hints[field.name], hints[field.name]), field.default) for field in own}
+
+
+def _table(name: str, keys: Mapping[str, Any]) -> type[BaseModel]:
+    return create_model(name, __base__=Table, **keys)
+
+
+BoundsTable = _table("BoundsTable", _keys_of(Bounded))
+BASE = {"based_on": (Literal[tuple(PROFILES)], "vulkan"), "bounds": (BoundsTable, BoundsTable())}
+ProfileTable = _table("ProfileTable", BASE | _keys_of(Profile))
+
+
+def profile_of(name: str | os.PathLike[str]) -> Profile:
+    """The profile of a name ("ieee", "vulkan", "gl", "mediump") or of a TOML file.
+
+    A file names the profile that it is `based_on` ("vulkan" unless it says so) and gives what differs: keys of
+    `Profile`, and in the table `bounds` keys of `Bounded`.
+    Raises ProfileError, which lists all that is wrong with the file.
+    """
+    name = os.fspath(name)
+    return PROFILES[name] if name in PROFILES else _profile(_validated(_parsed(name), name))
+
+
+def _parsed(name: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(Path(name).read_text(encoding="utf-8"))
+    except OSError as error:
+        expected = f"a profile file or a profile ({', '.join(PROFILES)})"
+        raise ProfileError(told(name, expected, error.strerror or "none", "check the name")) from None
+    except (ValueError, RecursionError) as error:  # not UTF-8, not TOML, or nested without end
+        raise ProfileError(told(name, "valid TOML", str(error), "correct that place")) from None
+
+
+def _validated(data: Mapping[str, Any], source: str) -> Any:
+    try:
+        return ProfileTable.model_validate(data)
+    except ValidationError as error:
+        problems = (described(each, _known(each["loc"])) for each in error.errors())
+        raise ProfileError("\n".join(f"{source}: {problem}" for _, problem in problems)) from None
+
+
+def _known(location: tuple[int | str, ...]) -> list[str]:
+    """The keys of the table that an error is in."""
+    table = BoundsTable if location[0] == "bounds" and len(location) > 1 else ProfileTable
+    return list(table.model_fields)
+
+
+def _profile(table: Any) -> Profile:
+    """The profile that a file is based on, with what the file gives in its place."""
+    base = PROFILES[table.based_on]
+    bounds = table.bounds.model_dump(exclude_unset=True)
+    if bounds:
+        known = base.arithmetic if isinstance(base.arithmetic, Bounded) else Bounded()
+        base = replace(base, arithmetic=replace(known, **bounds))
+    return replace(base, **table.model_dump(exclude_unset=True, exclude={"based_on", "bounds"}))

@@ -1,0 +1,332 @@
+"""Intervals enclose whatever a processor within its bounds may give, and are no wider than that asks for."""
+
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from sss_ref.numerics import elementary, interval
+from sss_ref.numerics.arithmetic import Bounded, Ieee
+from sss_ref.numerics.directed import downward, nearest, two_sum, ulp, upward
+from sss_ref.numerics.interval import Interval, point
+
+F = np.float32
+VULKAN = Bounded()
+RELAXED = Bounded(relative=1e-5)
+floats = st.floats(-(2.0**60), 2.0**60, width=32).filter(lambda x: x == 0 or abs(x) > 2.0**-60)
+positive = st.floats(2.0**-60, 2.0**60, width=32)
+unit = st.floats(0, 1, width=32).filter(lambda x: x == 0 or x > 2.0**-60)
+intervals = st.tuples(floats, floats).map(sorted)
+shares = st.floats(0, 1)
+
+
+def scalar(x):
+    return point(np.float64(x))
+
+
+def of(ends):
+    return Interval(np.float64(ends[0]), np.float64(ends[1]))
+
+
+def inside(ends, share):
+    """A float32 of the interval."""
+    return float(np.clip(F(ends[0] + (ends[1] - ends[0]) * share), *ends))
+
+
+def neighbours(exact):
+    """The float32 on both sides of an exact fraction; twice itself if it is one."""
+    near = F(float(exact))
+    if Fraction(float(near)) == exact:
+        return float(near), float(near)
+    other = np.nextafter(near, F(-np.inf) if Fraction(float(near)) > exact else F(np.inf))
+    return tuple(sorted((float(near), float(other))))
+
+
+def ends_of(a):
+    return float(a.low), float(a.high)
+
+
+@given(floats, floats)
+@settings(max_examples=300)
+def test_sums_and_products_of_points_give_both_neighbours_and_nothing_else(x, y):
+    assert ends_of(VULKAN.add(scalar(x), scalar(y))) == neighbours(Fraction(x) + Fraction(y))
+    assert ends_of(VULKAN.multiply(scalar(x), scalar(y))) == neighbours(Fraction(x) * Fraction(y))
+
+
+def test_a_sum_knows_what_float64_has_lost():
+    assert ends_of(VULKAN.add(scalar(1), scalar(2.0**-60))) == (1.0, 1.0 + 2.0**-23)
+    assert ends_of(VULKAN.add(scalar(1), scalar(-(2.0**-60)))) == (1.0 - 2.0**-24, 1.0)
+    assert ends_of(VULKAN.add(scalar(-1), scalar(2.0**-60))) == (-1.0, -1.0 + 2.0**-24)
+    assert two_sum(1.0, 2.0**-60) == (1.0, 2.0**-60)
+
+
+@given(floats, floats)
+@settings(max_examples=300)
+def test_directed_rounding_against_fractions(x, y):
+    exact = float(np.float64(x) * np.float64(y))  # exact: 48 bits
+    assert (float(downward(exact)), float(upward(exact))) == neighbours(Fraction(exact))
+    assert float(nearest(exact)) == float(F(exact))
+
+
+@pytest.mark.parametrize(
+    ("x", "unit"), [(1.0, 2.0**-23), (1.9999, 2.0**-23), (2.0, 2.0**-22), (-0.75, 2.0**-24), (0, 0)]
+)
+def test_ulp(x, unit):
+    assert float(ulp(np.float64(x))) == unit
+
+
+@given(intervals, intervals, shares, shares)
+@settings(max_examples=300)
+def test_results_of_any_values_lie_inside(a, b, s, t):
+    x, y = inside(a, s), inside(b, t)
+    for arithmetic in (VULKAN, RELAXED, Ieee()):
+        for operation, result in [
+            (arithmetic.add, F(x) + F(y)),
+            (arithmetic.multiply, F(x) * F(y)),
+            (interval.minimum, min(x, y)),
+            (interval.maximum, max(x, y)),
+        ]:
+            got = operation(of(a), of(b))
+            assert got.low <= result <= got.high
+    low, high = ends_of(interval.square(of(a)))
+    assert low <= x * x <= high and low >= 0
+
+
+@given(intervals, positive, shares, st.floats(-2.5, 2.5))
+@settings(max_examples=300)
+def test_quotients_within_two_and_a_half_ulp(a, y, s, off):
+    x = inside(a, s)
+    with np.errstate(all="ignore"):
+        got = VULKAN.divide(of(a), scalar(y))
+    exact = Fraction(x) / Fraction(y)
+    assert (
+        Fraction(float(got.low)) <= exact + Fraction(off) * Fraction(float(ulp(np.float64(exact)))) <= float(got.high)
+    )
+
+
+def test_a_quotient_by_what_may_be_zero_or_out_of_range_is_anything():
+    for low, high in [(-1, 1), (0, 1), (0, 0), (2.0**-127, 1), (1, 2.0**127)]:
+        with np.errstate(all="ignore"):
+            assert ends_of(VULKAN.divide(scalar(1), of((low, high)))) == (-np.inf, np.inf)
+
+
+PRECISE = {
+    "exp": (VULKAN.exp, mpmath.exp, lambda x: 3 + 2 * abs(x)),
+    "exp2": (VULKAN.exp2, lambda x: mpmath.power(2, x), lambda x: 3 + 2 * abs(x)),
+    "sqrt": (VULKAN.sqrt, mpmath.sqrt, lambda x: 6.5),
+    "inversesqrt": (VULKAN.inversesqrt, lambda x: 1 / mpmath.sqrt(x), lambda x: 2),
+}
+
+
+@pytest.mark.parametrize("name", PRECISE)
+@given(x=st.floats(2.0**-20, 60, width=32), off=st.floats(-1, 1))
+@settings(max_examples=150)
+def test_functions_within_their_bounds(name, x, off):
+    operation, exact, bound = PRECISE[name]
+    with mpmath.workdps(40):
+        value = exact(mpmath.mpf(x))
+        at = value + off * bound(x) * float(ulp(np.float64(float(value))))
+        got = operation(scalar(x))
+        assert got.low <= at <= got.high
+        assert got.high - got.low <= (4 * bound(x) + 4) * float(ulp(np.float64(float(value))))
+
+
+@given(x=st.one_of(st.floats(2.0**-20, 2.0**20, width=32), st.floats(0.46875, 2.125, width=32)), off=st.floats(-1, 1))
+@settings(max_examples=300)
+def test_log2_within_its_bounds(x, off):
+    with mpmath.workdps(40):
+        value = mpmath.log(x, 2)
+        bound = 2.0**-21 if 0.5 <= x <= 2 else 3 * float(ulp(np.float64(float(value))))
+        got = VULKAN.log2(scalar(x))
+        assert got.low <= value + off * bound <= got.high
+
+
+@given(st.floats(2.0**-10, 4, width=32), st.floats(-4, 40, width=32))
+@settings(max_examples=200)
+def test_pow_holds_the_rounded_power_and_the_composed_one(x, y):
+    got = VULKAN.pow(scalar(x), scalar(y))
+    with np.errstate(all="ignore"):
+        composed = np.exp2(F(y) * np.log2(F(x)))
+    assert got.low <= elementary.pow_array(F(x), F(y)) <= got.high
+    assert got.low <= composed <= got.high
+
+
+def test_powers_of_zero_and_of_less():
+    with np.errstate(all="ignore"):
+        assert ends_of(VULKAN.pow(scalar(0), scalar(0.6))) == (0, 0)
+        low, high = ends_of(VULKAN.pow(of((0, 0.5)), scalar(2)))
+        assert low == 0 and 0.25 <= high <= 0.250001
+        for x, y in [(0, 0), (0, -1), (-1, 2)]:
+            assert ends_of(VULKAN.pow(scalar(x), scalar(y))) == (-np.inf, np.inf)
+
+
+def rounded(x, up):
+    """A directed float32 rounding of an exact fraction."""
+    return Fraction(neighbours(x)[up])
+
+
+def sums(terms, bits):
+    """The sum of exact or rounded products in each order, with every rounding directed by `bits`."""
+    for order in [(0, 1, 2), (0, 2, 1), (1, 2, 0)]:
+        a, b, c = (terms[k] for k in order)
+        yield rounded(rounded(a + b, bits & 1) + c, bits >> 1 & 1)
+
+
+vectors = st.tuples(floats, floats, floats)
+
+
+@given(vectors, vectors, st.integers(0, 31))
+@settings(max_examples=200)
+def test_dot_in_any_order_fused_or_not(a, b, bits):
+    got = VULKAN.dot(list(map(scalar, a)), list(map(scalar, b)))
+    exact = [Fraction(x) * Fraction(y) for x, y in zip(a, b, strict=True)]
+    for terms in (exact, [rounded(term, bits >> 2 + k & 1) for k, term in enumerate(exact)]):
+        assert all(Fraction(float(got.low)) <= value <= Fraction(float(got.high)) for value in sums(terms, bits))
+
+
+def test_a_sum_of_squares_is_not_negative_and_a_sum_of_zeros_is_zero():
+    v = [Interval(np.float64(-1e-3), np.float64(1e-3))] * 3
+    assert VULKAN.dot(v, v).low == 0
+    assert ends_of(VULKAN.dot([scalar(0)] * 3, [scalar(5)] * 3)) == (0, 0)
+
+
+@given(vectors.filter(lambda v: any(v)))
+@settings(max_examples=200)
+def test_normalize_by_division_and_by_the_inverse_root(v):
+    components = list(map(scalar, v))
+    x, y, z = map(F, v)
+    squares = (x * x + y * y) + z * z
+    got = VULKAN.normalize(components)
+    for component, a in zip(v, got, strict=True):
+        assert a.low <= F(component) / np.sqrt(squares) <= a.high
+        assert a.low <= F(component) * (F(1) / np.sqrt(squares)) <= a.high
+        if squares > 2.0**-90:  # far from where squares become 0
+            assert a.high - a.low <= 50 * ulp(np.float64(component) / np.sqrt(np.float64(squares)))
+
+
+def test_normalize_by_an_inverse_root_that_errs_more_than_the_root():
+    arithmetic = Bounded(sqrt_ulp=0.5, divide_ulp=0.5, inversesqrt_ulp=64)
+    (got,) = arithmetic.normalize([scalar(3)])
+    assert got.low <= 3 * (F(1 / 3) + 60 * 2.0**-25) <= got.high
+
+
+@given(floats, floats, unit, st.integers(0, 31))
+@settings(max_examples=300)
+def test_mix_in_both_forms_fused_or_not(a, b, t, bits):
+    got = VULKAN.mix(scalar(a), scalar(b), scalar(t))
+    x, y, t = Fraction(a), Fraction(b), Fraction(t)
+    rest, gap = rounded(1 - t, bits & 1), rounded(y - x, bits & 1)
+    results = [rounded(rounded(x * rest, bits >> 1 & 1) + rounded(y * t, bits >> 2 & 1), bits >> 3 & 1)]
+    results += [rounded(x * rest + rounded(y * t, bits >> 2 & 1), bits >> 3 & 1)]
+    results += [rounded(x + rounded(gap * t, bits >> 1 & 1), bits >> 2 & 1), rounded(x + gap * t, bits >> 2 & 1)]
+    assert all(Fraction(float(got.low)) <= value <= Fraction(float(got.high)) for value in results)
+
+
+texels = st.floats(0, 100, width=32).filter(lambda x: x == 0 or x > 2.0**-60)
+
+
+def one_mix(a, b, t, up):
+    """A blend in the first form with every rounding in one direction."""
+    return rounded(rounded(a * rounded(1 - t, up), up) + rounded(b * t, up), up)
+
+
+@given(st.tuples(texels, texels, texels, texels), unit, unit)
+@settings(max_examples=200)
+def test_bilinear_blends_and_sums_of_weighted_texels(corners, tx, ty):
+    a, b, c, d = corners
+    got = VULKAN.bilinear((scalar(a), scalar(b)), (scalar(c), scalar(d)), (scalar(tx), scalar(ty)))
+    fa, fb, fc, fd, fx, fy = map(Fraction, (a, b, c, d, tx, ty))
+    exact = (fa * (1 - fx) + fb * fx) * (1 - fy) + (fc * (1 - fx) + fd * fx) * fy
+    directed = [one_mix(one_mix(fa, fb, fx, up), one_mix(fc, fd, fx, up), fy, up) for up in (0, 1)]
+    a, b, c, d, tx, ty = map(F, (a, b, c, d, tx, ty))
+    weighted = a * ((F(1) - tx) * (F(1) - ty)) + b * (tx * (F(1) - ty)) + c * ((F(1) - tx) * ty) + d * (tx * ty)
+    for value in (exact, *directed, Fraction(float(weighted))):
+        assert Fraction(float(got.low)) <= value <= Fraction(float(got.high))
+    assert got.high - got.low <= 2 * 20 * ulp(np.float64(max(corners)))  # 9 units of the largest are up to 18 ULP
+
+
+def test_bilinear_blends_of_one_value_may_lose_something_in_each_of_three_mixes():
+    value, t = Fraction(float(F(1.9999))), Fraction(float(F(1 / 3)))
+    got = VULKAN.bilinear(*[(scalar(float(value)),) * 2] * 2, (scalar(float(t)),) * 2)
+    for up in (0, 1):
+        row = one_mix(value, value, t, up)
+        assert Fraction(float(got.low)) <= one_mix(row, row, t, up) <= Fraction(float(got.high))
+
+
+def test_a_mix_over_a_range_of_weights_lies_between_the_two_values():
+    got = VULKAN.mix(scalar(1), scalar(3), of((0.25, 0.5)))
+    assert 1.5 - 4e-6 < got.low <= 1.5 and 2 <= got.high < 2 + 4e-6
+    outside = VULKAN.mix(scalar(1), of((2, 3)), of((-1, 2)))
+    assert outside.low <= -1 and outside.high >= 5
+
+
+def test_subnormals_may_become_zero():
+    low, high = ends_of(VULKAN.multiply(scalar(2.0**-100), scalar(2.0**-40)))
+    assert low == 0 and high >= 2.0**-140
+    low, high = ends_of(VULKAN.multiply(scalar(2.0**-100), scalar(-(2.0**-40))))
+    assert low <= -(2.0**-140) and high == 0
+    assert ends_of(Ieee().multiply(scalar(2.0**-100), scalar(2.0**-40))) == (2.0**-140, 2.0**-140)
+    assert ends_of(VULKAN.representable(scalar(2.0**-140)))[0] == 0
+
+
+def test_overflow_reaches_infinity():
+    low, high = ends_of(VULKAN.multiply(scalar(2.0**100), scalar(2.0**100)))
+    assert low == np.finfo(F).max and high == np.inf
+    with np.errstate(all="ignore"):
+        low, high = ends_of(VULKAN.add(scalar(np.inf), scalar(-np.inf)))
+    assert (low, high) == (-np.inf, np.inf)
+
+
+@given(floats, positive, st.floats(-4, 4, width=32))
+@settings(max_examples=300)
+def test_ieee_gives_the_oracles_bits(x, y, z):
+    ieee = Ieee()
+    with np.errstate(all="ignore"):
+        pairs = [
+            (ieee.add(scalar(x), scalar(y)), F(x) + F(y)),
+            (ieee.multiply(scalar(x), scalar(y)), F(x) * F(y)),
+            (ieee.divide(scalar(x), scalar(y)), F(x) / F(y)),
+            (ieee.sqrt(scalar(y)), np.sqrt(F(y))),
+            (ieee.pow(scalar(y), scalar(z)), elementary.pow_array(F(y), F(z))),
+            (ieee.exp(scalar(z)), elementary.exp_array(F(z))),
+            (ieee.exp2(scalar(z)), elementary.exp2_array(F(z))),
+            (ieee.log2(scalar(y)), elementary.log2_array(F(y))),
+        ]
+    for got, expected in pairs:
+        assert got.is_point and F(got.low).tobytes() == F(expected).tobytes()
+
+
+def test_ieee_powers_of_intervals_reach_from_corner_to_corner():
+    assert ends_of(Ieee().pow(of((0.5, 2)), of((-1, 3)))) == (0.125, 8)
+    with np.errstate(all="ignore"):
+        assert ends_of(Ieee().divide(scalar(1), scalar(0))) == (np.inf, np.inf)
+        assert ends_of(Ieee().divide(scalar(1), of((-1, 1)))) == (-np.inf, np.inf)
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "less", "less_equal", "equal"),
+    [
+        ((1, 2), (3, 4), (True, True), (True, True), (False, False)),
+        ((1, 2), (2, 4), (False, True), (True, True), (False, True)),
+        ((1, 3), (2, 4), (False, True), (False, True), (False, True)),
+        ((2, 2), (2, 2), (False, False), (True, True), (True, True)),
+        ((3, 4), (1, 2), (False, False), (False, False), (False, False)),
+    ],
+)
+def test_comparisons(a, b, less, less_equal, equal):
+    a, b = of(a), of(b)
+    truths = (interval.less(a, b), interval.less_equal(a, b), interval.equal(a, b))
+    assert [(bool(t.low), bool(t.high)) for t in truths] == [less, less_equal, equal]
+    opposite = interval.opposite(truths[0])
+    assert (bool(opposite.low), bool(opposite.high)) == (not less[1], not less[0])
+
+
+def test_a_choice_takes_both_where_it_is_undecided():
+    condition = Interval(np.array([False, False, True]), np.array([False, True, True]))
+    got = interval.chosen(condition, point(np.array([1.0, 1, 1])), of((3, 4)))
+    assert got.low.tolist() == [3, 1, 1] and got.high.tolist() == [4, 4, 1]
+    decided = interval.chosen(point(np.array([True, False])), scalar(1), scalar(2))
+    assert decided.is_point and decided.low.tolist() == [1, 2]
