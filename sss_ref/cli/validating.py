@@ -35,6 +35,12 @@ def validate(
     exclude: Annotated[
         Path | None, Parameter(help="A mask (PNG or NPY) of pixels not to judge.", show_default=False)
     ] = None,
+    profile: Annotated[
+        str | None,
+        Parameter(
+            help="Accept what such a processor may give: ieee, vulkan, gl, mediump or a TOML file.", show_default=False
+        ),
+    ] = None,
     report: Annotated[
         Path | None, Parameter(help="A folder for report.html and report.json.", show_default=False)
     ] = None,
@@ -57,8 +63,10 @@ def validate(
         only = _judged_pixels(loaded, region, exclude)
         oracle = render(loaded, execution.interpreter, execution.threads, on_pass=lambda name: show(f"pass {name}"))
         show("comparing")
-        found = validate_buffers(oracle, buffers, stored, only)
+        found = validate_buffers(oracle, buffers, stored, only, profile)
     out.print(_table(found))
+    for one in (one for one in found.verdicts if one.ambiguous or one.unbounded):
+        out.print(f"{one.buffer}: {one.ambiguous} pixels may be one of several values, {one.unbounded} are unbounded")
     if found.missing:
         out.print(f"not given: {', '.join(found.missing)}")
     for line in (found.summary, *(f"  {text}" for text in found.explanations)):

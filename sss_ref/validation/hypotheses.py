@@ -17,7 +17,7 @@ from sss_ref.language.types import Array, Texture, Vector, components, mat3, mat
 from sss_ref.scene.kernels import KERNELS
 from sss_ref.validation.mutants import Mutant, mutants
 from sss_ref.validation.passages import passages, within
-from sss_ref.validation.rebased import Buffers, Check, Pixels, Step, Stored, stacked, walk
+from sss_ref.validation.rebased import Buffers, Check, Judgement, Pixels, Step, stacked, walk
 
 SAMPLE = 600  # pixels on which explanations are tried
 EVERY = 15  # of these the ones on which a mutant is tried first
@@ -68,11 +68,11 @@ class Sample:
 
 
 def hypotheses(
-    check: Check, work: Work, dumped: Buffers, stored: Stored, others: Mapping[str, Stage]
+    check: Check, work: Work, dumped: Buffers, how: Judgement, others: Mapping[str, Stage]
 ) -> list[Hypothesis]:
     """The explanations that fit, the best first. others: all stages by name, to be tried in the place of this one."""
     found = [Hypothesis(text, share) for text, share in passages(check)]
-    sample = _sample(check, work, dumped, stored)
+    sample = _sample(check, work, dumped, how)
     if sample is not None:
         tried = (*_numbers(sample), *_other_stages(sample, others), *_kernels(sample), *_mutants(sample))
         found += [Hypothesis(text, share) for text, share in tried]
@@ -89,7 +89,7 @@ def _thinned(value: Any) -> Any:
     return value[::EVERY] if isinstance(value, np.ndarray) else value
 
 
-def _sample(check: Check, work: Work, dumped: Buffers, stored: Stored) -> Sample | None:
+def _sample(check: Check, work: Work, dumped: Buffers, how: Judgement) -> Sample | None:
     """Half of the sample from the wrong pixels, half from all."""
     if check.stage not in {stage.name for stage in work.one.stages}:
         return None
@@ -99,7 +99,7 @@ def _sample(check: Check, work: Work, dumped: Buffers, stored: Stored) -> Sample
     chosen = [pixels[rng.integers(0, len(pixels), SAMPLE // 2)] for pixels in (wrong, compared)]
     rows, columns = np.concatenate(chosen).T
     at: Pixels = (rows, columns)
-    step = next(step for step in walk(work, at, dumped, stored) if check.buffer in step.results)
+    step = next(step for step in walk(work, at, dumped, replace(how, profile=None)) if check.buffer in step.results)
     got, reach = (np.atleast_3d(array)[at].astype(np.float64) for array in (check.got, check.reach))
     return Sample(step, check.buffer, got, reach)
 

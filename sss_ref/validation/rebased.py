@@ -5,13 +5,14 @@ of the same pass handed on, if it was dumped. What was not dumped comes from the
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from sss_ref.interpret import arrays
 from sss_ref.interpret.arrays import CHUNK, draw_values, stage_input
+from sss_ref.interpret.profile import Profile
 from sss_ref.interpret.work import Fragments, Work, buffer_value
 from sss_ref.language.pipeline import MeshDraw, Pass
 from sss_ref.language.stage import Stage
@@ -20,6 +21,7 @@ from sss_ref.methods.catalogue import method_of
 from sss_ref.raster.primitives import Primitives
 from sss_ref.rendering import Rendering
 from sss_ref.result import Result
+from sss_ref.validation.acceptance import INTERPOLATION, acceptance_of, accepted, around
 from sss_ref.validation.storage import step_of
 
 Buffers = Mapping[str, np.ndarray]
@@ -33,7 +35,8 @@ class Check:
     """A buffer that a stage wrote, beside what it should have written.
 
     where: bool (H, W), the pixels that are compared. expected, got: (H, W) or (H, W, C). reach: float64, of the same
-    shape: how far floats may be off by rounding alone (see `reach_of`); 0 for other types.
+    shape: how far values may be off (see `reach_of`, or by what a profile allows). undecided: bool (H, W), where a
+    profile's processor may choose one of several texels or sides.
     """
 
     pass_name: str
@@ -43,6 +46,15 @@ class Check:
     expected: np.ndarray
     got: np.ndarray
     reach: np.ndarray
+    undecided: np.ndarray | None = None
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """How dumps are judged. stored: storages below float32. profile: None for a fixed reach (see `reach_of`)."""
+
+    stored: Stored = field(default_factory=dict)
+    profile: Profile | None = None
 
 
 def rebased(oracle: Result, dumped: Buffers) -> Rendering:
@@ -57,18 +69,18 @@ def work_of(rendering: Rendering, one: Pass) -> Work:
     return Work(one, rendering.draw(one)[0], rendering.uniforms, rendering.buffers, {}, {})
 
 
-def checks(oracle: Result, dumped: Buffers, stored: Stored) -> Iterator[Check]:
+def checks(oracle: Result, dumped: Buffers, how: Judgement) -> Iterator[Check]:
     """All buffers of a dump in stage order. oracle: the rendering of the same scene, with all buffers."""
     rendering = rebased(oracle, dumped)
     for one in method_of(oracle.scene.settings, oracle.scene.own_stages).passes:
         if not one.on_demand and set(one.outputs) & set(dumped):
-            for check in _checks_of_pass(rendering, one, oracle, dumped, stored):
-                rounding = step_of(stored.get(check.buffer, ""), check.expected)
+            for check in _checks_of_pass(rendering, one, oracle, dumped, how):
+                rounding = step_of(how.stored.get(check.buffer, ""), check.expected)
                 yield replace(check, reach=check.reach + rounding)
 
 
 def _checks_of_pass(
-    rendering: Rendering, one: Pass, oracle: Result, dumped: Buffers, stored: Stored
+    rendering: Rendering, one: Pass, oracle: Result, dumped: Buffers, how: Judgement
 ) -> Iterator[Check]:
     work = work_of(rendering, one)
     fragments = work.fragments
@@ -82,10 +94,10 @@ def _checks_of_pass(
     rows, columns = np.nonzero(where)
     for start in range(0, len(rows), CHUNK):
         at = rows[start : start + CHUNK], columns[start : start + CHUNK]
-        _run(walk(work, at, dumped, stored), at, found)
+        _run(walk(work, at, dumped, how), at, found)
     writers = {name: stage.name for stage in one.stages for name in stage.writes.values()}
-    for name, (expected, reach) in found.items():
-        yield Check(one.name, writers[name], name, where, expected, dumped[name], reach)
+    for name, (expected, reach, undecided) in found.items():
+        yield Check(one.name, writers[name], name, where, expected, dumped[name], reach, undecided)
 
 
 def _checks_of_rounds(rendering: Rendering, one: Pass, fragments: Fragments, dumped: Buffers) -> Iterator[Check]:
@@ -110,48 +122,61 @@ def _comparable(one: Pass, fragments: Fragments, oracle: Result, dumped: Buffers
 
 @dataclass(frozen=True)
 class Step:
-    """A stage at some pixels. moved: what it gives where a varying is a little beside, for those that change it."""
+    """A stage at some pixels.
+
+    moved: what it gives where a varying is a little beside, for those that change it. accepted: with a profile,
+    intervals instead.
+    """
 
     stage: Stage
     inputs: list[Any]
     results: dict[str, Any]
     moved: list[dict[str, Any]]
+    accepted: dict[str, tuple[Any, np.ndarray]]
 
 
-def walk(work: Work, at: Pixels, dumped: Buffers, stored: Stored) -> Iterator[Step]:
+def walk(work: Work, at: Pixels, dumped: Buffers, how: Judgement) -> Iterator[Step]:
     """Run the stages of a pass at some pixels, each with what was dumped of the stages before it.
 
     What the pass handed on had not been stored: a dump in few bits stands for the values around it.
     """
     values = draw_values(work, *at)
-    beside = _moved_varyings(work, at, values)
+    beside = [] if how.profile else _moved_varyings(work, at, values)
+    spread = _spread_varyings(work, at, values) if how.profile else {}
     for stage in work.one.stages:
         inputs, results = _called(work, stage, values, at)
+        bounds = _accepted(stage, inputs, spread, how.profile, len(at[0])) if how.profile else {}
         moved = [
             _called(work, stage, values | other, at)[1] if set(stage.reads.values()) & set(other) else {}
             for other in beside
         ]
-        yield Step(stage, inputs, results, [each for each in moved if each])
+        yield Step(stage, inputs, results, [each for each in moved if each], bounds)
         values |= results
+        spread |= {name: value for name, (value, _) in bounds.items()}
         for other, each in zip(beside, moved, strict=True):
             other |= each
         for own, name in ((own, name) for own, name in stage.writes.items() if name in dumped):
             values[name] = buffer_value(stage.outputs[own], dumped[name], *at)
-            for other in beside:
+            for other in (*beside, spread):
                 other.pop(name, None)
-            if name in stored:
-                steps = step_of(stored[name], stacked(values[name]))
-                beside += _moved_parts(name, values[name], steps)
+            if name in how.stored:
+                steps = step_of(how.stored[name], stacked(values[name]))
+                beside += [] if how.profile else _moved_parts(name, values[name], steps)
+                spread |= {name: around(values[name], steps)} if how.profile else {}
 
 
 def _run(steps: Iterator[Step], at: Pixels, found: Mapping[str, Any]) -> None:
     """Note what each stage of a pass should have written at some pixels, and how near that must be."""
     for step in steps:
         for name in (name for name in step.results if name in found):
-            expected, reach = found[name]
+            expected, reach, undecided = found[name]
             base = stacked(step.results[name])
             expected[at] = _shaped(base, expected)
-            reach[at] = _shaped(reach_of(base, [stacked(each[name]) for each in step.moved], step.inputs), reach)
+            if step.accepted:
+                near, undecided[at] = acceptance_of(base, *step.accepted[name])
+            else:
+                near = reach_of(base, [stacked(each[name]) for each in step.moved], step.inputs)
+            reach[at] = _shaped(near, reach)
 
 
 def reach_of(expected: np.ndarray, moved: list[np.ndarray], inputs: list[Any]) -> np.ndarray:
@@ -169,6 +194,29 @@ def reach_of(expected: np.ndarray, moved: list[np.ndarray], inputs: list[Any]) -
         largest_in = np.maximum(largest_in, np.abs(stacked(value)).max(axis=-1, keepdims=True))
     apart = sum((np.abs(each - exact) for each in moved), np.zeros(exact.shape))
     return 1.5 * apart + 1e-5 * np.abs(exact).max(axis=-1, keepdims=True) + 2.0**-20 * largest_in
+
+
+def _accepted(
+    stage: Stage, inputs: list[Any], spread: Mapping[str, Any], profile: Profile, count: int
+) -> dict[str, tuple[Any, np.ndarray]]:
+    """What a processor of the profile may make of the inputs, where `spread` has what it may have made of theirs."""
+    named = zip(stage.reads.items(), inputs, strict=True)
+    return accepted(stage, {own: spread.get(name, value) for (own, name), value in named}, profile, count)
+
+
+def _spread_varyings(work: Work, at: Pixels, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The varyings with all that is within half a subpixel, and the rounding of their interpolation."""
+    fragments = work.fragments
+    if fragments.primitives is None or fragments.piece is None:
+        return {}
+    slack = half_subpixel(fragments.primitives, fragments.primitives.attributes, fragments.piece[at], fragments.step)
+    spread = {}
+    for name, first in fragments.varyings.items():
+        own = np.abs(stacked(values[name]).astype(np.float64)).max(axis=-1, keepdims=True)
+        spread[name] = around(
+            values[name], slack[:, first : first + len(components(values[name]))] + own * INTERPOLATION
+        )
+    return spread
 
 
 def _called(work: Work, stage: Stage, values: Mapping[str, Any], at: Pixels) -> tuple[list[Any], dict[str, Any]]:
@@ -231,8 +279,9 @@ def _shaped(values: np.ndarray, buffer: np.ndarray) -> np.ndarray:
     return values[:, 0] if buffer.ndim == 2 else values
 
 
-def _empty(buffer: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    return np.zeros_like(buffer), np.zeros(buffer.shape)
+def _empty(buffer: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Room for what is expected, its reach, and whether it is undecided."""
+    return np.zeros_like(buffer), np.zeros(buffer.shape), np.zeros(buffer.shape[:2], bool)
 
 
 def _check_of_draw(one: Pass, name: str, fragments: Fragments, expected: np.ndarray, got: np.ndarray) -> Check:

@@ -66,6 +66,8 @@ def as_json(report: Report) -> dict[str, Any]:
                 "pixels": one.compared,
                 "same_bits": one.equal,
                 "within_reach": one.within,
+                "ambiguous": one.ambiguous,
+                "unbounded": one.unbounded,
                 "ulps": list(one.ulps),
                 "worst": one.worst,
                 "worst_pixel": one.worst_pixel,

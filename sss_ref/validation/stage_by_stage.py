@@ -11,6 +11,7 @@ import sss_ref.passes
 from sss_ref.errors import SceneError
 from sss_ref.explanation.explain import StageTrace
 from sss_ref.explanation.rows import Detail, Section, section_of
+from sss_ref.interpret.profile import Profile
 from sss_ref.interpret.trace import scalar, trace
 from sss_ref.interpret.work import Work
 from sss_ref.language import Stage
@@ -19,7 +20,8 @@ from sss_ref.rendering import render
 from sss_ref.result import Result
 from sss_ref.scene.load import Scene
 from sss_ref.validation.hypotheses import hypotheses
-from sss_ref.validation.rebased import Buffers, Check, Stored, checks, rebased, walk, work_of
+from sss_ref.validation.profile_file import profile_of
+from sss_ref.validation.rebased import Buffers, Check, Judgement, Stored, checks, rebased, walk, work_of
 from sss_ref.validation.storage import STEPS
 from sss_ref.validation.verdict import Finding, Report, judged
 
@@ -29,6 +31,7 @@ def validate(
     buffers: Buffers,
     stored: Stored | None = None,
     only: np.ndarray | None = None,
+    profile: Profile | str | None = None,
 ) -> Report:
     """Hold the buffers of another implementation against the stages, one stage at a time.
 
@@ -36,13 +39,19 @@ def validate(
     bottom: (H, W) or (H, W, C), float32, int32 or uint8; any of the method's, the more the nearer the culprit.
     stored: buffer -> what its texture holds where that is less than float32: "float16", "unorm8", "unorm16", "srgb8".
     only: bool (H, W) of the camera's size, the pixels of its buffers that are judged.
+    profile: the processor that may have drawn them, by name ("ieee", "vulkan", "gl", "mediump"), as a TOML file or as a
+    Profile: accepted is what it may give, on intervals. None: a fixed reach, narrower than any of them but "ieee", that
+    suits shaders which read textures by texelFetch (see `reach_of`).
     Raises SceneError where a buffer is not one of the scene, or not of its type and size.
     """
     oracle = scene if isinstance(scene, Result) else render(scene)
     _check_buffers(oracle, buffers)
-    kept = {name: storage for name, storage in (stored or {}).items() if storage in STEPS}
+    how = Judgement(
+        {name: storage for name, storage in (stored or {}).items() if storage in STEPS},
+        profile_of(profile) if isinstance(profile, str) else profile,
+    )
     verdicts, wrong = [], None
-    for check in checks(oracle, buffers, kept):
+    for check in checks(oracle, buffers, how):
         if only is not None and check.where.shape == only.shape:
             check = replace(check, where=check.where & only)
         verdicts.append(judged(check))
@@ -50,7 +59,7 @@ def validate(
             wrong = check
     there = {verdict.buffer for verdict in verdicts}
     missing = tuple(name for name in oracle.buffers if name not in there)
-    return Report(tuple(verdicts), missing, _finding(oracle, buffers, kept, wrong) if wrong else None)
+    return Report(tuple(verdicts), missing, _finding(oracle, buffers, how, wrong) if wrong else None)
 
 
 def assert_valid(scene: Scene | Result, buffers: Buffers, stored: Stored | None = None) -> None:
@@ -69,13 +78,13 @@ def _check_buffers(oracle: Result, buffers: Buffers) -> None:
             raise SceneError(f"buffers: expected {name} as {form}, got {buffer.dtype} {buffer.shape}; convert it")
 
 
-def _finding(oracle: Result, buffers: Buffers, stored: Stored, check: Check) -> Finding:
+def _finding(oracle: Result, buffers: Buffers, how: Judgement, check: Check) -> Finding:
     """Look closer at what is wrong."""
     rendering = rebased(oracle, buffers)
     scene = oracle.scene
     (one,) = (each for each in method_of(scene.settings, scene.own_stages).passes if each.name == check.pass_name)
     work = work_of(rendering, one)
-    found = hypotheses(check, work, buffers, stored, _all_stages()) if check.where.any() else []
+    found = hypotheses(check, work, buffers, how, _all_stages()) if check.where.any() else []
     return Finding(check, tuple(found), _worst_section(check, work, buffers))
 
 
@@ -85,7 +94,7 @@ def _worst_section(check: Check, work: Work, buffers: Buffers) -> Section | None
     if pixel is None or check.stage not in {stage.name for stage in work.one.stages}:
         return None
     at = np.array([pixel[1]]), np.array([pixel[0]])
-    step = next(step for step in walk(work, at, buffers, {}) if check.buffer in step.results)
+    step = next(step for step in walk(work, at, buffers, Judgement()) if check.buffer in step.results)
     inputs = [scalar(value) for value in step.inputs]
     steps, writes = trace(step.stage, inputs)
     traced = StageTrace(step.stage, dict(zip(step.stage.reads.values(), inputs, strict=True)), steps, writes)

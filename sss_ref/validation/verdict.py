@@ -30,6 +30,8 @@ class Verdict:
     ulps: tuple[int, ...]
     worst: str | None
     worst_pixel: tuple[int, int] | None
+    ambiguous: int  # pixels where a processor may take one of several texels or sides
+    unbounded: int  # pixels about which nothing can be said; they count as within
 
     @property
     def passed(self) -> bool:
@@ -112,6 +114,8 @@ def judged(check: Check) -> Verdict:
         int(within.sum()),
         tuple(classes.tolist()),
         *_worst(check, apart, reach, within),
+        0 if check.undecided is None else int(check.undecided[check.where].sum()),
+        int(np.isinf(reach).any(axis=-1).sum()),
     )
 
 
