@@ -7,7 +7,7 @@ from sss_ref.language.types import vec3
 
 @function
 def clamp(x: number, low: number, high: number) -> number:
-    """X, but not below low nor above high."""
+    """x, but not below low nor above high."""
     return min(max(x, low), high)
 
 
@@ -37,7 +37,7 @@ def length(v: vec3) -> float:
 
 @function
 def normalize(v: vec3) -> vec3:
-    """V / length(v); the zero vector stays zero, unlike GLSL, where it is undefined (rule A3)."""
+    """v / length(v); the zero vector stays zero, unlike GLSL, where it is undefined (rule A3)."""
     magnitude = length(v)
     return select(magnitude > 0.0, v / magnitude, vec3(0.0, 0.0, 0.0))
 

@@ -78,25 +78,25 @@ def floor(x: genType) -> genType:
 
 @by_component
 def min(x: number, y: number) -> number:
-    """Y < x ? y : x (rule A1: decides which zero, and what NaN gives)."""
+    """y < x ? y : x (rule A1: decides which zero, and what NaN gives)."""
     return np.where(y < x, y, x)[()]
 
 
 @by_component
 def max(x: number, y: number) -> number:
-    """X < y ? y : x (rule A1)."""
+    """x < y ? y : x (rule A1)."""
     return np.where(x < y, y, x)[()]
 
 
 @by_component
 def pow(x: genType, y: genType) -> genType:
-    """X to the power y, correctly rounded (rule A2); x >= 0."""
+    """x to the power y, correctly rounded (rule A2); x >= 0."""
     return elementary.pow_array(x, y)
 
 
 @by_component
 def exp(x: genType) -> genType:
-    """E to the power x, correctly rounded (rule A2)."""
+    """e to the power x, correctly rounded (rule A2)."""
     return elementary.exp_array(x)
 
 

@@ -61,7 +61,7 @@ float length(vec3 v)
     return sqrt(dot(v, v));
 }
 
-// V / length(v); the zero vector stays zero, unlike GLSL, where it is undefined (rule A3).
+// v / length(v); the zero vector stays zero, unlike GLSL, where it is undefined (rule A3).
 vec3 normalize(vec3 v)
 {
     float magnitude = length(v);

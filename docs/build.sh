@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Build the documentation into docs/_build/html, with warnings as errors. Needs `pip install ".[docs]"` beforehand, and no
+# network; neither do the pages. Notebooks run once and are kept in docs/_build/.jupyter_cache until they change.
+set -euo pipefail
+cd "$(dirname "$0")"
+python -m sphinx --builder html --fail-on-warning --keep-going --fresh-env "$@" . _build/html
+
+remote='<(script|img|link|iframe|source)[^>]+(src|href)="(https?:)?//|(@import|url\()["'"'"' ]*(https?:)?//'
+if grep -rlE "$remote" _build/html --include='*.html' --include='*.css'; then
+    echo "these pages load something from the network" >&2
+    exit 1
+fi

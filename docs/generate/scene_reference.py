@@ -1,0 +1,173 @@
+"""The scene file's keys, from the models that check it: type, default in each preset, explanation."""
+
+import inspect
+import json
+from collections.abc import Iterator
+from types import NoneType
+from typing import Any, Literal, get_args, get_origin, get_type_hints
+
+from markup import directive, prose, table
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+
+from sss_ref.scene import quantities, settings, viewpoints
+from sss_ref.scene.presets import PRESETS
+from sss_ref.scene.validation import TABLES
+
+WORDS = {  # how a reader calls the type of a value
+    str: "text",
+    bool: "`true` or `false`",
+    quantities.Number: "number",
+    quantities.NonNegative: "number ≥ 0",
+    quantities.Positive: "number > 0",
+    quantities.PositiveOrZero: "number ≥ 0",
+    quantities.Inset: "number > 0 and ≤ 1",
+    quantities.FieldOfView: "angle between 0 and 180 degrees",
+    quantities.Size: f"whole number from 1 to {quantities.LARGEST_SIZE}",
+    quantities.Count: f"whole number from 0 to {quantities.LARGEST_SIZE}",
+    quantities.Vector: "`[x, y, z]`",
+    quantities.Direction: "`[x, y, z]`, not all zero",
+    quantities.Color: "`[r, g, b]`, each ≥ 0",
+    quantities.Scale: "number or `[x, y, z]`, none zero",
+    settings.MeshColor: '`[r, g, b]`, each ≥ 0, or `"material"`',
+    settings.Kernel: "one of "
+    + ", ".join(f'`"{name}"`' for name in get_args(get_args(settings.KernelName)[0]))
+    + ", or an array of `[X, Y, r, g, b]`",
+}
+
+HEAD = """# Scene file reference
+
+A scene file is TOML. It names a mesh, a camera and at least one light; every other key has a default, which may depend
+on the preset. Unknown keys, wrong types and values out of range are errors, all of them reported at once. Any key can
+be overridden on the command line, `--set translucency.y=1.5`, and in Python,
+`load_scene(name, **{"translucency.y": 1.5})`. World space is right-handed with +Y up; lengths are scene units, angles
+degrees, colours linear RGB.
+
+```toml
+preset = "robust"
+
+[mesh]
+path = "head.obj"
+
+[camera]
+type = "orbit"
+azimuth = 25.0
+distance = 14.0
+
+[[lights]]
+position = [-9.0, 5.0, -9.0]
+```
+"""
+
+
+def page() -> str:
+    """The page: the presets side by side, then every table of the file."""
+    parts = [HEAD, "## The presets side by side", presets_table(), *sections()]
+    return "\n\n".join(parts) + "\n"
+
+
+def sections() -> Iterator[str]:
+    """Every table with its keys; what all types of camera have comes before the types."""
+    for path, model in TABLES.items():
+        if path == ("camera", "orbit"):
+            yield from section("[camera]", viewpoints.Lens, "camera", camera_type(), set())
+        if path[:1] == ("camera",):
+            yield from section(f'type = "{path[1]}"', model, "camera", "", set(viewpoints.Lens.model_fields) | {"type"})
+        else:
+            yield from section(title(path), model, ".".join(path), "", set(TABLES_AT_TOP) if not path else set())
+
+
+TABLES_AT_TOP = [path[0] for path in TABLES if path]
+
+
+def title(path: tuple[Any, ...]) -> str:
+    """The heading of a table, as TOML writes it."""
+    if not path:
+        return "Top of the file"
+    return "[[lights]]" if path == ("lights",) else f"[{path[0]}]"
+
+
+def dotted_keys() -> list[str]:
+    """Every key of a scene file with the table it stands in: method, camera.azimuth, lights.position."""
+    found = [(path[0], model) if path else ("", model) for path, model in TABLES.items()]
+    dotted = [f"{name}.{key}".strip(".") for name, model in found for key in model.model_fields]
+    return list(dict.fromkeys(key for key in dotted if key not in TABLES_AT_TOP))
+
+
+def section(heading: str, model: type[BaseModel], name: str, first: str, without: set[str]) -> Iterator[str]:
+    """A table: its heading, what it is, and its keys but for some that stand elsewhere."""
+    level = "###" if heading.startswith("type") else "##"
+    yield f"{level} `{heading}`" if heading[0] in "[t" else f"{level} {heading}"
+    yield prose(summary(model)) if name else "Keys that stand before the first table."
+    if first:
+        yield first
+    hints = get_type_hints(model, include_extras=True)
+    for key, field in model.model_fields.items():
+        if key not in without:
+            repeated = model is viewpoints.LookAtCamera and key in viewpoints.OrbitCamera.model_fields
+            yield entry(name, key, field, hints[key], [("no-index", "")] if repeated else [])
+
+
+def summary(model: type[BaseModel]) -> str:
+    """A model's docstring without the name of the table it begins with."""
+    text = " ".join((inspect.getdoc(model) or "").split())
+    told = text.split(": ", 1)[-1] if text.startswith("[") else text
+    return told[0].upper() + told[1:]
+
+
+def entry(name: str, key: str, field: FieldInfo, hint: Any, more: list[tuple[str, str]]) -> str:
+    """One key; more: options of its directive."""
+    dotted = f"{name}.{key}" if name else key
+    assert field.description, f"{dotted}: expected a docstring below the field, got none; add it"
+    options = [("type", words(hint)), ("default", default(name, key, field)), *more]
+    return directive("confval", dotted, prose(field.description), options)
+
+
+def camera_type() -> str:
+    """The key that chooses between the models of a camera."""
+    types = {path[1]: model for path, model in TABLES.items() if path[:1] == ("camera",)}
+    told = "\n".join(f"- `{name}`: {prose(summary(model))}" for name, model in types.items())
+    choices = ", ".join(f'`"{name}"`' for name in types)
+    content = f"Which further keys the table has.\n\n{told}"
+    return directive("confval", "camera.type", content, [("type", f"one of {choices}"), ("default", "must be given")])
+
+
+def words(hint: Any) -> str:
+    """A type for the reader."""
+    if get_origin(hint) is Literal:
+        return "one of " + ", ".join(f'`"{value}"`' for value in get_args(hint))
+    if NoneType in get_args(hint):
+        return words(next(each for each in get_args(hint) if each is not NoneType))
+    return WORDS[hint]
+
+
+def default(name: str, key: str, field: FieldInfo) -> str:
+    """What a key is if the file does not say: one value, or one for each preset."""
+    values = {preset: preset_value(preset, name, key, field) for preset in PRESETS}
+    if len(set(values.values())) == 1:
+        return values["paper"]
+    common = [value for value in values.values() if list(values.values()).count(value) > 1][:1]
+    told = [f"{value} in `{preset}`" for preset, value in values.items() if value not in common]
+    return "; ".join([*common, *told])
+
+
+def preset_value(preset: str, name: str, key: str, field: FieldInfo) -> str:
+    """A key's default with a preset, as TOML has it."""
+    given = PRESETS[preset].get(name, {})
+    if key in given:
+        return f"`{json.dumps(given[key])}`"
+    if field.is_required():
+        return "must be given"
+    return "not set" if field.default is None else f"`{json.dumps(field.default)}`"
+
+
+def presets_table() -> str:
+    """The keys that tell the presets apart."""
+    tables = [(path[0], model) for path, model in TABLES.items() if path]
+    fields = {(name, key): field for name, model in tables for key, field in model.model_fields.items()}
+    rows = []
+    for (name, key), field in fields.items():
+        values = [preset_value(preset, name, key, field) for preset in PRESETS]
+        if len(set(values)) > 1:
+            rows.append([f"{{confval}}`{name}.{key}`", *values])
+    return table(["key", *(f"`{preset}`" for preset in PRESETS)], rows)

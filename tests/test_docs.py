@@ -1,0 +1,114 @@
+"""The documentation names everything there is, and its links lead somewhere; docs/build.sh builds the site itself."""
+
+import inspect
+import re
+import sys
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+from scenes import settings_with
+from test_structure import STAGES
+
+import sss_ref
+from sss_ref.scene import viewpoints
+
+DOCS = Path(__file__).parents[1] / "docs"
+sys.path.insert(0, str(DOCS / "generate"))
+
+import house_docstrings  # noqa: E402
+import markup  # noqa: E402
+import pages  # noqa: E402
+
+WRITTEN = [path for path in sorted(DOCS.rglob("*.md")) if not {"_build", "generated"} & {*path.relative_to(DOCS).parts}]
+FUNCTIONS = re.findall(r"autofunction:: (\S+)", (DOCS / "api.md").read_text())
+
+
+@pytest.fixture(scope="module")
+def generated():
+    return pages.texts()
+
+
+@pytest.mark.parametrize("name", sss_ref.__all__)
+def test_every_public_name_is_in_the_api_reference(name):
+    assert re.search(rf"auto\w+:: sss_ref\.{name}\b", (DOCS / "api.md").read_text())
+
+
+@pytest.mark.parametrize("name", STAGES)
+def test_every_stage_is_described_with_all_it_reads_and_writes(name, generated):
+    page = generated[f"stages/{STAGES[name].python.__module__.rpartition('.')[2]}"]
+    _, _, section = page.partition(f"(stage-{name})=\n## {name}\n")
+    section = section.partition("\n(stage-")[0]
+    assert STAGES[name].source in section.replace("\\", "")
+    for each in (*STAGES[name].parameters, *STAGES[name].outputs):
+        assert f"| `{each}` " in section
+    assert f"def {name}(" in section and f" {name}(" in section.partition("```glsl")[2]
+
+
+def scene_keys():
+    """Every key of a filled scene file, and those of the other types of camera."""
+    filled = settings_with({}).model_dump()
+    tables = {name: value for name, value in filled.items() if isinstance(value, dict)}
+    tables["lights"] = filled["lights"][0]
+    yield from (name for name in filled if name not in tables)
+    yield from (f"{name}.{key}" for name, table in tables.items() for key in table)
+    for model in (viewpoints.OrbitCamera, viewpoints.LookAtCamera, viewpoints.FreeCamera):
+        yield from (f"camera.{key}" for key in model.model_fields)
+
+
+@pytest.mark.parametrize("key", dict.fromkeys(scene_keys()))
+def test_every_scene_key_is_described_with_type_and_default(key, generated):
+    assert re.search(rf"\{{confval\}} {re.escape(key)}\n:type: \S.*\n:default: \S.*\n", generated["scene_file"])
+
+
+def test_the_defaults_are_those_of_each_preset(generated):
+    page = generated["scene_file"]
+    assert "{confval} translucency.d_min\n:type: number ≥ 0\n:default: `0.1`; `0.0` in `published`" in page
+    assert '| {confval}`blur.mask` | `"output"` | `"taps"` | `"none"` |' in page
+
+
+def test_every_command_is_described(generated):
+    from sss_ref.cli import app
+
+    commands = [name for name in app if not name.startswith("-")]
+    assert len(commands) >= 10
+    for name in commands:
+        usage = rf"\n## sss-ref {name}\n\n```shell\nsss-ref {name}( [A-Z[]| --[a-z]|\n)"
+        assert re.search(usage, generated["command_line"])
+
+
+@pytest.mark.parametrize("path", WRITTEN, ids=lambda path: path.relative_to(DOCS).as_posix())
+def test_every_relative_link_leads_somewhere(path, generated):
+    text = re.sub(r"```.*?```|`[^`\n]*`", "", path.read_text(), flags=re.DOTALL)
+    for link in re.findall(r"\]\(([^)\s]+)\)", text):
+        target = link.partition("#")[0]
+        if not re.match(r"[a-z]+:", link) and target:
+            found = (path.parent / target).resolve()
+            page = found.relative_to(DOCS).as_posix().removeprefix("generated/").removesuffix(".md")
+            assert found.exists() or page in generated, link
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_a_list_of_arguments_names_all_of_them(name):
+    module, _, function = name.rpartition(".")
+    documented = getattr(import_module(module), function)
+    text, names = inspect.getdoc(documented), inspect.signature(documented).parameters
+    if ":param" in house_docstrings.with_fields(text, names):
+        assert not [each for each in names if not re.search(rf"\b{each}\b", text)]
+
+
+def test_there_are_documented_functions():
+    assert {"sss_ref.render", "sss_ref.load_scene"} <= {*FUNCTIONS}
+
+
+def test_arguments_become_fields():
+    text = "Do it.\n\na: the one,\n    a `b` * 2. b, c: the others.\nRaises SceneError for d: none."
+    assert house_docstrings.with_fields(text, ["a", "b", "c"]).split("\n") == [
+        *("Do it.", "", ""),
+        *(":param a: the one, a ``b`` \\* 2.", ":param b: the others.", ":param c: the others."),
+        *("", "Raises SceneError for d: none.", ""),
+    ]
+
+
+def test_prose_keeps_its_characters():
+    assert markup.prose("a*b_c [d] `e*f`") == "a\\*b\\_c \\[d\\] `e*f`"
