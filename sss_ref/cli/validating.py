@@ -36,11 +36,8 @@ def validate(
         Path | None, Parameter(help="A mask (PNG or NPY) of pixels not to judge.", show_default=False)
     ] = None,
     profile: Annotated[
-        str | None,
-        Parameter(
-            help="Accept what such a processor may give: ieee, vulkan, gl, mediump or a TOML file.", show_default=False
-        ),
-    ] = None,
+        str, Parameter(help="Accept what such a processor may give: ieee, vulkan, gl, mediump or a TOML file.")
+    ] = "vulkan",
     report: Annotated[
         Path | None, Parameter(help="A folder for report.html and report.json.", show_default=False)
     ] = None,

@@ -99,7 +99,7 @@ def _sample(check: Check, work: Work, dumped: Buffers, how: Judgement) -> Sample
     chosen = [pixels[rng.integers(0, len(pixels), SAMPLE // 2)] for pixels in (wrong, compared)]
     rows, columns = np.concatenate(chosen).T
     at: Pixels = (rows, columns)
-    step = next(step for step in walk(work, at, dumped, replace(how, profile=None)) if check.buffer in step.results)
+    step = next(step for step in walk(work, at, dumped, how) if check.buffer in step.results)
     got, reach = (np.atleast_3d(array)[at].astype(np.float64) for array in (check.got, check.reach))
     return Sample(step, check.buffer, got, reach)
 

@@ -16,7 +16,7 @@ from sss_ref.interpret.profile import Profile
 from sss_ref.interpret.work import Fragments, Work, buffer_value
 from sss_ref.language.pipeline import MeshDraw, Pass
 from sss_ref.language.stage import Stage
-from sss_ref.language.types import Array, Texture, components, mat3, mat4
+from sss_ref.language.types import components
 from sss_ref.methods.catalogue import method_of
 from sss_ref.raster.primitives import Primitives
 from sss_ref.rendering import Rendering
@@ -35,8 +35,8 @@ class Check:
     """A buffer that a stage wrote, beside what it should have written.
 
     where: bool (H, W), the pixels that are compared. expected, got: (H, W) or (H, W, C). reach: float64, of the same
-    shape: how far values may be off (see `reach_of`, or by what a profile allows). undecided: bool (H, W), where a
-    profile's processor may choose one of several texels or sides.
+    shape: how far a processor of the profile may be off. undecided: bool (H, W), where it may choose one of several
+    texels or sides.
     """
 
     pass_name: str
@@ -51,10 +51,10 @@ class Check:
 
 @dataclass(frozen=True)
 class Judgement:
-    """How dumps are judged. stored: storages below float32. profile: None for a fixed reach (see `reach_of`)."""
+    """How dumps are judged. profile: the processor that may have drawn them. stored: storages below float32."""
 
+    profile: Profile
     stored: Stored = field(default_factory=dict)
-    profile: Profile | None = None
 
 
 def rebased(oracle: Result, dumped: Buffers) -> Rendering:
@@ -122,47 +122,37 @@ def _comparable(one: Pass, fragments: Fragments, oracle: Result, dumped: Buffers
 
 @dataclass(frozen=True)
 class Step:
-    """A stage at some pixels.
-
-    moved: what it gives where a varying is a little beside, for those that change it. accepted: with a profile,
-    intervals instead.
-    """
+    """A stage at some pixels. accepted: buffer -> the intervals of what it may write, and the doubt."""
 
     stage: Stage
     inputs: list[Any]
     results: dict[str, Any]
-    moved: list[dict[str, Any]]
     accepted: dict[str, tuple[Any, np.ndarray]]
 
 
 def walk(work: Work, at: Pixels, dumped: Buffers, how: Judgement) -> Iterator[Step]:
     """Run the stages of a pass at some pixels, each with what was dumped of the stages before it.
 
-    What the pass handed on had not been stored: a dump in few bits stands for the values around it.
+    What the pass handed on had not been stored: a dump in few bits stands for the values around it, and what was not
+    dumped for all that the stage before may have given.
     """
     values = draw_values(work, *at)
-    beside = [] if how.profile else _moved_varyings(work, at, values)
-    spread = _spread_varyings(work, at, values) if how.profile else {}
+    spread = _spread_varyings(work, at, values)
     for stage in work.one.stages:
-        inputs, results = _called(work, stage, values, at)
-        bounds = _accepted(stage, inputs, spread, how.profile, len(at[0])) if how.profile else {}
-        moved = [
-            _called(work, stage, values | other, at)[1] if set(stage.reads.values()) & set(other) else {}
-            for other in beside
-        ]
-        yield Step(stage, inputs, results, [each for each in moved if each], bounds)
+        inputs = [stage_input(work, values, stage.reads[own], kind, at) for own, kind in stage.parameters.items()]
+        with np.errstate(all="ignore"):
+            results = dict(zip(stage.writes.values(), stage(*inputs), strict=True))
+        named = zip(stage.reads.items(), inputs, strict=True)
+        given = {own: spread.get(name, value) for (own, name), value in named}
+        bounds = accepted(stage, given, how.profile, len(at[0]))
+        yield Step(stage, inputs, results, bounds)
         values |= results
         spread |= {name: value for name, (value, _) in bounds.items()}
-        for other, each in zip(beside, moved, strict=True):
-            other |= each
         for own, name in ((own, name) for own, name in stage.writes.items() if name in dumped):
             values[name] = buffer_value(stage.outputs[own], dumped[name], *at)
-            for other in (*beside, spread):
-                other.pop(name, None)
+            del spread[name]
             if name in how.stored:
-                steps = step_of(how.stored[name], stacked(values[name]))
-                beside += [] if how.profile else _moved_parts(name, values[name], steps)
-                spread |= {name: around(values[name], steps)} if how.profile else {}
+                spread[name] = around(values[name], step_of(how.stored[name], stacked(values[name])))
 
 
 def _run(steps: Iterator[Step], at: Pixels, found: Mapping[str, Any]) -> None:
@@ -172,36 +162,8 @@ def _run(steps: Iterator[Step], at: Pixels, found: Mapping[str, Any]) -> None:
             expected, reach, undecided = found[name]
             base = stacked(step.results[name])
             expected[at] = _shaped(base, expected)
-            if step.accepted:
-                near, undecided[at] = acceptance_of(base, *step.accepted[name])
-            else:
-                near = reach_of(base, [stacked(each[name]) for each in step.moved], step.inputs)
+            near, undecided[at] = acceptance_of(base, *step.accepted[name])
             reach[at] = _shaped(near, reach)
-
-
-def reach_of(expected: np.ndarray, moved: list[np.ndarray], inputs: list[Any]) -> np.ndarray:
-    """How far a correct result may lie from the expected one (N, C), float64.
-
-    moved: the results for single varyings moved by half a subpixel; their distances add up, with half as much again
-    for what is not linear. Besides it is 1e-5 of the largest component, and 2^-20 of the largest number that goes into
-    the stage, since differences of large numbers cancel. 0 for what is no float.
-    """
-    if expected.dtype != np.float32:
-        return np.zeros(expected.shape)
-    exact = expected.astype(np.float64)
-    largest_in = 0.0
-    for value in filter(_is_float, inputs):
-        largest_in = np.maximum(largest_in, np.abs(stacked(value)).max(axis=-1, keepdims=True))
-    apart = sum((np.abs(each - exact) for each in moved), np.zeros(exact.shape))
-    return 1.5 * apart + 1e-5 * np.abs(exact).max(axis=-1, keepdims=True) + 2.0**-20 * largest_in
-
-
-def _accepted(
-    stage: Stage, inputs: list[Any], spread: Mapping[str, Any], profile: Profile, count: int
-) -> dict[str, tuple[Any, np.ndarray]]:
-    """What a processor of the profile may make of the inputs, where `spread` has what it may have made of theirs."""
-    named = zip(stage.reads.items(), inputs, strict=True)
-    return accepted(stage, {own: spread.get(name, value) for (own, name), value in named}, profile, count)
 
 
 def _spread_varyings(work: Work, at: Pixels, values: Mapping[str, Any]) -> dict[str, Any]:
@@ -212,41 +174,10 @@ def _spread_varyings(work: Work, at: Pixels, values: Mapping[str, Any]) -> dict[
     slack = half_subpixel(fragments.primitives, fragments.primitives.attributes, fragments.piece[at], fragments.step)
     spread = {}
     for name, first in fragments.varyings.items():
-        own = np.abs(stacked(values[name]).astype(np.float64)).max(axis=-1, keepdims=True)
-        spread[name] = around(
-            values[name], slack[:, first : first + len(components(values[name]))] + own * INTERPOLATION
-        )
+        own = stacked(values[name]).astype(np.float64)
+        rounding = np.abs(own).max(axis=-1, keepdims=True) * INTERPOLATION
+        spread[name] = around(values[name], slack[:, first : first + own.shape[1]] + rounding)
     return spread
-
-
-def _called(work: Work, stage: Stage, values: Mapping[str, Any], at: Pixels) -> tuple[list[Any], dict[str, Any]]:
-    """What a stage reads, in order, and name -> what it writes."""
-    inputs = [stage_input(work, values, stage.reads[own], kind, at) for own, kind in stage.parameters.items()]
-    with np.errstate(all="ignore"):
-        return inputs, dict(zip(stage.writes.values(), stage(*inputs), strict=True))
-
-
-def _moved_varyings(work: Work, at: Pixels, values: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """One dictionary for each component of each varying, with that component moved by half a subpixel."""
-    fragments = work.fragments
-    if fragments.primitives is None or fragments.piece is None:
-        return []
-    slack = half_subpixel(fragments.primitives, fragments.primitives.attributes, fragments.piece[at], fragments.step)
-    return [
-        moved
-        for name, first in fragments.varyings.items()
-        for moved in _moved_parts(name, values[name], slack[:, first:])
-    ]
-
-
-def _moved_parts(name: str, value: Any, steps: np.ndarray) -> list[dict[str, Any]]:
-    """One dictionary for each component of a value, with that component moved by its step (N, at least C)."""
-    parts = components(value)
-    moved = []
-    for k, part in enumerate(parts):
-        beside = [*parts[:k], np.float32(part + steps[:, k]), *parts[k + 1 :]]
-        moved.append({name: type(value)(*beside) if len(parts) > 1 else beside[0]})
-    return moved
 
 
 def half_subpixel(primitives: Primitives, attributes: np.ndarray, pieces: np.ndarray, step: int) -> np.ndarray:
@@ -262,12 +193,6 @@ def half_subpixel(primitives: Primitives, attributes: np.ndarray, pieces: np.nda
     opposite = np.abs(np.roll(x, -1, 0) - np.roll(x, 1, 0)) + np.abs(np.roll(y, -1, 0) - np.roll(y, 1, 0))
     change = sum((np.abs(a[k] - a[0]) * opposite[k, :, None] for k in (1, 2)), np.zeros(a.shape[1:]))
     return change / area[:, None] * (0.5 / step)
-
-
-def _is_float(value: Any) -> bool:
-    if isinstance(value, Texture | Array | mat3 | mat4):
-        return False
-    return all(np.asarray(part).dtype == np.float32 for part in components(value))
 
 
 def stacked(value: Any) -> np.ndarray:

@@ -25,13 +25,15 @@ from sss_ref.validation.rebased import Buffers, Check, Judgement, Stored, checks
 from sss_ref.validation.storage import STEPS
 from sss_ref.validation.verdict import Finding, Report, judged
 
+DEFAULT_PROFILE = "vulkan"
+
 
 def validate(
     scene: Scene | Result,
     buffers: Buffers,
     stored: Stored | None = None,
     only: np.ndarray | None = None,
-    profile: Profile | str | None = None,
+    profile: Profile | str = DEFAULT_PROFILE,
 ) -> Report:
     """Hold the buffers of another implementation against the stages, one stage at a time.
 
@@ -40,15 +42,14 @@ def validate(
     stored: buffer -> what its texture holds where that is less than float32: "float16", "unorm8", "unorm16", "srgb8".
     only: bool (H, W) of the camera's size, the pixels of its buffers that are judged.
     profile: the processor that may have drawn them, by name ("ieee", "vulkan", "gl", "mediump"), as a TOML file or as a
-    Profile: accepted is what it may give, on intervals. None: a fixed reach, narrower than any of them but "ieee", that
-    suits shaders which read textures by texelFetch (see `reach_of`).
+    Profile; accepted is what it may give.
     Raises SceneError where a buffer is not one of the scene, or not of its type and size.
     """
     oracle = scene if isinstance(scene, Result) else render(scene)
     _check_buffers(oracle, buffers)
     how = Judgement(
-        {name: storage for name, storage in (stored or {}).items() if storage in STEPS},
         profile_of(profile) if isinstance(profile, str) else profile,
+        {name: storage for name, storage in (stored or {}).items() if storage in STEPS},
     )
     verdicts, wrong = [], None
     for check in checks(oracle, buffers, how):
@@ -62,9 +63,11 @@ def validate(
     return Report(tuple(verdicts), missing, _finding(oracle, buffers, how, wrong) if wrong else None)
 
 
-def assert_valid(scene: Scene | Result, buffers: Buffers, stored: Stored | None = None) -> None:
+def assert_valid(
+    scene: Scene | Result, buffers: Buffers, stored: Stored | None = None, profile: Profile | str = DEFAULT_PROFILE
+) -> None:
     """For tests: raise AssertionError, with the report's summary and what would explain it, unless all is right."""
-    report = validate(scene, buffers, stored)
+    report = validate(scene, buffers, stored, profile=profile)
     assert report.passed, "\n".join([report.summary, *report.explanations])
 
 
@@ -85,16 +88,16 @@ def _finding(oracle: Result, buffers: Buffers, how: Judgement, check: Check) -> 
     (one,) = (each for each in method_of(scene.settings, scene.own_stages).passes if each.name == check.pass_name)
     work = work_of(rendering, one)
     found = hypotheses(check, work, buffers, how, _all_stages()) if check.where.any() else []
-    return Finding(check, tuple(found), _worst_section(check, work, buffers))
+    return Finding(check, tuple(found), _worst_section(check, work, buffers, how))
 
 
-def _worst_section(check: Check, work: Work, buffers: Buffers) -> Section | None:
+def _worst_section(check: Check, work: Work, buffers: Buffers, how: Judgement) -> Section | None:
     """The stage at the worst pixel, with what was dumped before it."""
     pixel = judged(check).worst_pixel
     if pixel is None or check.stage not in {stage.name for stage in work.one.stages}:
         return None
     at = np.array([pixel[1]]), np.array([pixel[0]])
-    step = next(step for step in walk(work, at, buffers, Judgement()) if check.buffer in step.results)
+    step = next(step for step in walk(work, at, buffers, how) if check.buffer in step.results)
     inputs = [scalar(value) for value in step.inputs]
     steps, writes = trace(step.stage, inputs)
     traced = StageTrace(step.stage, dict(zip(step.stage.reads.values(), inputs, strict=True)), steps, writes)

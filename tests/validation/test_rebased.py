@@ -7,7 +7,7 @@ from scenes import around, sphere, two_slabs, written
 from sss_ref.raster.primitives import assemble
 from sss_ref.rendering import render
 from sss_ref.scene.load import load_scene
-from sss_ref.validation.rebased import RASTERIZER, half_subpixel, reach_of
+from sss_ref.validation.rebased import RASTERIZER, half_subpixel
 from sss_ref.validation.stage_by_stage import validate
 
 METHODS = ("screen_space", "texture_space")
@@ -137,11 +137,3 @@ def test_half_a_subpixel_by_hand():
     slack = half_subpixel(primitives, primitives.attributes, np.array([0]), viewport.step)[0] * 512
     assert slack[0] >= 1 and slack[1] >= 1 and slack[2] >= 2  # at least the gradient along both axes
     assert slack.max() <= 4
-
-
-def test_reach_adds_up_what_moves():
-    expected, inputs = np.float32([[1.0, -2.0]]), [np.float32([4.0])]
-    moved = [np.float32([[1.5, -2.0]]), np.float32([[0.75, -1.0]])]
-    rounding = 2e-5 + 4 * 2.0**-20
-    assert np.allclose(reach_of(expected, moved, inputs), [[1.5 * 0.75 + rounding, 1.5 + rounding]], rtol=1e-12)
-    assert not reach_of(np.array([[1, 0]], np.uint8), [], inputs).any()
