@@ -1,7 +1,7 @@
 """`sss-ref validate`."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
 from rich.box import SIMPLE
@@ -31,6 +31,10 @@ def validate(
     /,
     *,
     run_glsl: Annotated[bool, Parameter(negative="", help="Draw the scene on this machine's OpenGL instead.")] = False,
+    origin: Annotated[
+        Literal["top", "bottom"] | None,
+        Parameter(help="The row that the dump's files begin with; NPY: bottom, pictures: top.", show_default=False),
+    ] = None,
     region: Annotated[str | None, Parameter(help="Judge these pixels only: X,Y,W,H.", show_default=False)] = None,
     exclude: Annotated[
         Path | None, Parameter(help="A mask (PNG or NPY) of pixels not to judge.", show_default=False)
@@ -56,7 +60,7 @@ def validate(
     loaded = load_scene(scene, **changes.overrides())
     announce_compilation(execution)
     with progress("reading") as show:
-        buffers, stored = _drawn(loaded, dump) if run_glsl else _dumped(loaded, dump)
+        buffers, stored = _drawn(loaded, dump) if run_glsl else _dumped(loaded, dump, origin)
         only = _judged_pixels(loaded, region, exclude)
         oracle = render(loaded, execution.interpreter, execution.threads, on_pass=lambda name: show(f"pass {name}"))
         show("comparing")
@@ -80,12 +84,12 @@ def _drawn(scene: "Scene", shaders: Path | None) -> Given:
     return draw(scene, shader_folder(shaders, scene.settings) if shaders else {}), {}
 
 
-def _dumped(scene: "Scene", dump: Path | None) -> Given:
+def _dumped(scene: "Scene", dump: Path | None, origin: Literal["top", "bottom"] | None) -> Given:
     from sss_ref.io.dump.read import read_dump
 
     if dump is None:
         raise DumpError("validate: expected a folder of buffers, a mapping file, or --run-glsl, got none; give one")
-    found = read_dump(dump, scene)
+    found = read_dump(dump, scene, origin)
     for note in (*found.notes, *(f"{one.name}: {note}" for one in found.buffers.values() for note in one.notes)):
         err.print(f"[yellow]note:[/] {note}", highlight=False)
     buffers = {name: one.data for name, one in found.buffers.items()}

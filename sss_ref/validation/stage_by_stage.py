@@ -34,6 +34,7 @@ def validate(
     stored: Stored | None = None,
     only: np.ndarray | None = None,
     profile: Profile | str = DEFAULT_PROFILE,
+    explain: bool = True,
 ) -> Report:
     """Hold the buffers of another implementation against the stages, one stage at a time.
 
@@ -42,7 +43,7 @@ def validate(
     stored: buffer -> what its texture holds where that is less than float32: "float16", "unorm8", "unorm16", "srgb8".
     only: bool (H, W) of the camera's size, the pixels of its buffers that are judged.
     profile: the processor that may have drawn them, by name ("ieee", "vulkan", "gl", "mediump"), as a TOML file or as a
-    Profile; accepted is what it may give.
+    Profile; accepted is what it may give. explain: whether to look for what would explain a failure.
     Raises SceneError where a buffer is not one of the scene, or not of its type and size.
     """
     oracle = scene if isinstance(scene, Result) else render(scene)
@@ -60,7 +61,7 @@ def validate(
             wrong = check
     there = {verdict.buffer for verdict in verdicts}
     missing = tuple(name for name in oracle.buffers if name not in there)
-    return Report(tuple(verdicts), missing, _finding(oracle, buffers, how, wrong) if wrong else None)
+    return Report(tuple(verdicts), missing, _finding(oracle, buffers, how, wrong) if wrong and explain else None)
 
 
 def assert_valid(

@@ -17,5 +17,7 @@ STEPS = {
 
 def step_of(storage: str, values: np.ndarray) -> np.ndarray:
     """The step of a storage at these values, float64; 0 for float32 and integers."""
-    relative, least = STEPS.get(storage, (0.0, 0.0))
+    if storage not in STEPS:
+        return np.zeros(values.shape)
+    relative, least = STEPS[storage]
     return np.maximum(np.abs(values.astype(np.float64)) * relative, least)

@@ -57,6 +57,30 @@ def test_a_wrong_dump_fails_and_is_reported(dump, oracle, tmp_path, capsys):
     assert failed == ["phong"]
 
 
+def test_rows_from_the_top(dump, oracle, capsys):
+    for name, buffer in oracle.buffers.items():
+        np.save(dump / f"{name}.npy", buffer[::-1])
+    assert main(["validate", "sphere", str(dump), *SMALL]) == 1
+    assert main(["validate", "sphere", str(dump), *SMALL, "--origin", "top"]) == 0
+    capsys.readouterr()
+
+
+@pytest.mark.parametrize("profile", ["ieee", "vulkan", "gl", "mediump"])
+def test_every_profile_accepts_the_oracle(dump, oracle, profile, capsys):
+    assert main(["validate", "sphere", str(dump), *SMALL, "--profile", profile]) == 0
+    capsys.readouterr()
+
+
+def test_a_profile_says_how_far_off_is_right(oracle):
+    """1e-6 beside every colour: right on a GPU, wrong where every operation is correctly rounded."""
+    beside = dict(oracle.buffers) | {"phong": (oracle["phong"] * np.float32(1.000001)).astype(np.float32)}
+    for later in ("lit", "scattered", "image"):
+        del beside[later]
+    assert sss_ref.validate(oracle, beside, profile="gl").passed
+    found = sss_ref.validate(oracle, beside, profile="ieee")
+    assert not found.passed and found.culprit.stage == "phong_shading"
+
+
 def test_only_some_pixels(dump, oracle, tmp_path, capsys):
     """A wrong corner is not seen in a region beside it, nor under a mask."""
     image = oracle["image"].copy()

@@ -12,6 +12,7 @@ from sss_ref.io.diff import bits
 from sss_ref.io.dump.convert import converted
 from sss_ref.io.dump.encoding import Encoding
 from sss_ref.io.dump.files import parts_of
+from sss_ref.io.dump.mapping import Origin
 from sss_ref.io.dump.raw import Layout
 from sss_ref.io.dump.slots import Slot, slots_of
 from sss_ref.io.dump.sources import Source, known_only, sources_of
@@ -60,15 +61,18 @@ class Dump:
     notes: tuple[str, ...] = ()
 
 
-def read_dump(path: Path, scene: Scene) -> Dump:
+def read_dump(path: Path, scene: Scene, origin: Origin | None = None) -> Dump:
     """The buffers of a mapping file, or of a folder with a file named after each.
+
+    origin: "top" or "bottom", the row that files begin with of which the mapping does not say it; None: bottom for NPY,
+    top for pictures.
 
     NaN and infinity are kept and counted: they are the shader's, and no fault of the file. Raises one DumpError with a
     line for every buffer that cannot be used: unknown to the scene's method, unreadable, of another size, or of values
     that its type cannot hold.
     """
     slots = slots_of(scene.settings)
-    sources = known_only(sources_of(path), slots)
+    sources = known_only(sources_of(path, origin), slots)
     if not sources.found:
         raise DumpError(told(str(path), f"a file for a buffer ({', '.join(slots)})", "none", "name the files so"))
     parts = lru_cache(maxsize=1)(parts_of)  # several buffers may lie in one file

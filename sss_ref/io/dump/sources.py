@@ -33,15 +33,18 @@ class Sources:
     notes: tuple[str, ...] = ()
 
 
-def sources_of(path: Path) -> Sources:
-    """The sources that a mapping file names, or the files of a folder, whatever their names. Raises DumpError."""
+def sources_of(path: Path, origin: Origin | None = None) -> Sources:
+    """The sources that a mapping file names, or the files of a folder, whatever their names. Raises DumpError.
+
+    origin: the row that files begin with of which the mapping does not say it.
+    """
     if path.is_dir():
-        return _of_folder(path / "buffers" if (path / "buffers").is_dir() else path)
+        return _of_folder(path / "buffers" if (path / "buffers").is_dir() else path, origin)
     mapping = read_mapping(path)
     found = []
     for name, table in mapping.buffers.items():
         file = path.parent / table.file
-        found.append(Source(name, file, table, table.origin or mapping.origin or _first_row(file), path))
+        found.append(Source(name, file, table, table.origin or mapping.origin or origin or _first_row(file), path))
     return Sources(tuple(found))
 
 
@@ -66,7 +69,7 @@ def known_only(sources: Sources, names: Iterable[str]) -> Sources:
     return Sources(found, (*sources.notes, *notes))
 
 
-def _of_folder(folder: Path) -> Sources:
+def _of_folder(folder: Path, origin: Origin | None) -> Sources:
     """Every file of a folder with a known suffix as the buffer that its name says."""
     try:
         files = sorted(path for path in folder.iterdir() if path.is_file())
@@ -74,7 +77,7 @@ def _of_folder(folder: Path) -> Sources:
         raise DumpError(told(str(folder), "a folder", error.strerror or str(error), "check the path")) from None
     known = [path for path in files if path.suffix.lower() in (*READERS, *RAW)]
     notes = tuple(f"{path}: ignored, its format is not known" for path in files if path not in known)
-    return Sources(tuple(Source(p.stem, p, _table_of(p), _first_row(p)) for p in known), notes)
+    return Sources(tuple(Source(p.stem, p, _table_of(p), origin or _first_row(p)) for p in known), notes)
 
 
 def _table_of(path: Path) -> BufferTable:
