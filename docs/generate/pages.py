@@ -5,6 +5,7 @@ from pathlib import Path
 
 import command_reference
 import language_reference
+import mapping_reference
 import scene_reference
 import stage_reference
 
@@ -15,6 +16,7 @@ def texts() -> dict[str, str]:
     """Page -> its Markdown."""
     return {
         "scene_file": scene_reference.page(),
+        "mapping_file": mapping_reference.page(),
         "command_line": command_reference.page(),
         "language": language_reference.page(),
         **stage_reference.pages(),

@@ -1,39 +1,16 @@
 """The scene file's keys, from the models that check it: type, default in each preset, explanation."""
 
 import inspect
-import json
 from collections.abc import Iterator
-from types import NoneType
-from typing import Any, Literal, get_args, get_origin, get_type_hints
+from typing import Any, get_type_hints
 
+from keys import entry, preset_value
 from markup import directive, prose, table
 from pydantic import BaseModel
-from pydantic.fields import FieldInfo
 
-from sss_ref.scene import quantities, settings, viewpoints
+from sss_ref.scene import viewpoints
 from sss_ref.scene.presets import PRESETS
 from sss_ref.scene.validation import TABLES
-
-WORDS = {  # how a reader calls the type of a value
-    str: "text",
-    bool: "`true` or `false`",
-    quantities.Number: "number",
-    quantities.NonNegative: "number ≥ 0",
-    quantities.Positive: "number > 0",
-    quantities.PositiveOrZero: "number ≥ 0",
-    quantities.Inset: "number > 0 and ≤ 1",
-    quantities.FieldOfView: "angle between 0 and 180 degrees",
-    quantities.Size: f"whole number from 1 to {quantities.LARGEST_SIZE}",
-    quantities.Count: f"whole number from 0 to {quantities.LARGEST_SIZE}",
-    quantities.Vector: "`[x, y, z]`",
-    quantities.Direction: "`[x, y, z]`, not all zero",
-    quantities.Color: "`[r, g, b]`, each ≥ 0",
-    quantities.Scale: "number or `[x, y, z]`, none zero",
-    settings.MeshColor: '`[r, g, b]`, each ≥ 0, or `"material"`',
-    settings.Kernel: "one of "
-    + ", ".join(f'`"{name}"`' for name in get_args(get_args(settings.KernelName)[0]))
-    + ", or an array of `[X, Y, r, g, b]`",
-}
 
 HEAD = """# Scene file reference
 
@@ -115,14 +92,6 @@ def summary(model: type[BaseModel]) -> str:
     return told[0].upper() + told[1:]
 
 
-def entry(name: str, key: str, field: FieldInfo, hint: Any, more: list[tuple[str, str]]) -> str:
-    """One key; more: options of its directive."""
-    dotted = f"{name}.{key}" if name else key
-    assert field.description, f"{dotted}: expected a docstring below the field, got none; add it"
-    options = [("type", words(hint)), ("default", default(name, key, field)), *more]
-    return directive("confval", dotted, prose(field.description), options)
-
-
 def camera_type() -> str:
     """The key that chooses between the models of a camera."""
     types = {path[1]: model for path, model in TABLES.items() if path[:1] == ("camera",)}
@@ -130,35 +99,6 @@ def camera_type() -> str:
     choices = ", ".join(f'`"{name}"`' for name in types)
     content = f"Which further keys the table has.\n\n{told}"
     return directive("confval", "camera.type", content, [("type", f"one of {choices}"), ("default", "must be given")])
-
-
-def words(hint: Any) -> str:
-    """A type for the reader."""
-    if get_origin(hint) is Literal:
-        return "one of " + ", ".join(f'`"{value}"`' for value in get_args(hint))
-    if NoneType in get_args(hint):
-        return words(next(each for each in get_args(hint) if each is not NoneType))
-    return WORDS[hint]
-
-
-def default(name: str, key: str, field: FieldInfo) -> str:
-    """What a key is if the file does not say: one value, or one for each preset."""
-    values = {preset: preset_value(preset, name, key, field) for preset in PRESETS}
-    if len(set(values.values())) == 1:
-        return values["paper"]
-    common = [value for value in values.values() if list(values.values()).count(value) > 1][:1]
-    told = [f"{value} in `{preset}`" for preset, value in values.items() if value not in common]
-    return "; ".join([*common, *told])
-
-
-def preset_value(preset: str, name: str, key: str, field: FieldInfo) -> str:
-    """A key's default with a preset, as TOML has it."""
-    given = PRESETS[preset].get(name, {})
-    if key in given:
-        return f"`{json.dumps(given[key])}`"
-    if field.is_required():
-        return "must be given"
-    return "not set" if field.default is None else f"`{json.dumps(field.default)}`"
 
 
 def presets_table() -> str:

@@ -14,7 +14,7 @@ from house_docstrings import comments
 from markup import fenced, one_line, prose, table
 
 import sss_ref.passes
-from sss_ref.interpret.shader import stage_source
+from sss_ref.interpret.shader import HLSL, stage_source
 from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL
 from sss_ref.language.stage import Function, Stage
 from sss_ref.language.typing_rules import type_name
@@ -127,6 +127,9 @@ def section(stage: Stage) -> Iterator[str]:
 ::::
 ::::{{tab-item}} GLSL
 {fenced("glsl", stage_source(stage, ARRAYS))}
+::::
+::::{{tab-item}} HLSL
+{fenced("hlsl", stage_source(stage, ARRAYS, HLSL))}
 ::::
 :::::"""
 

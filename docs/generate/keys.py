@@ -1,0 +1,74 @@
+"""One key of a scene file or of a mapping file: its type in words, its default in each preset, its explanation."""
+
+import json
+from types import NoneType
+from typing import Any, Literal, get_args, get_origin
+
+from markup import directive, prose
+from pydantic.fields import FieldInfo
+
+from sss_ref.io.dump import mapping
+from sss_ref.scene import quantities, settings
+from sss_ref.scene.presets import PRESETS
+
+WORDS = {  # how a reader calls the type of a value
+    str: "text",
+    bool: "`true` or `false`",
+    quantities.Number: "number",
+    quantities.NonNegative: "number ≥ 0",
+    quantities.Positive: "number > 0",
+    quantities.PositiveOrZero: "number ≥ 0",
+    quantities.Inset: "number > 0 and ≤ 1",
+    quantities.FieldOfView: "angle between 0 and 180 degrees",
+    quantities.Size: f"whole number from 1 to {quantities.LARGEST_SIZE}",
+    quantities.Count: f"whole number from 0 to {quantities.LARGEST_SIZE}",
+    quantities.Vector: "`[x, y, z]`",
+    quantities.Direction: "`[x, y, z]`, not all zero",
+    quantities.Color: "`[r, g, b]`, each ≥ 0",
+    quantities.Scale: "number or `[x, y, z]`, none zero",
+    settings.MeshColor: '`[r, g, b]`, each ≥ 0, or `"material"`',
+    settings.Kernel: "one of "
+    + ", ".join(f'`"{name}"`' for name in get_args(get_args(settings.KernelName)[0]))
+    + ", or an array of `[X, Y, r, g, b]`",
+    mapping.Part: "text or whole number",
+    mapping.ChannelNames: "text of single letters, or an array of names",
+    mapping.Shape: "`[height, width]` or `[height, width, channels]`",
+    mapping.Factor: "number, not 0",
+}
+
+
+def entry(name: str, key: str, field: FieldInfo, hint: Any, more: list[tuple[str, str]]) -> str:
+    """One key; more: options of its directive."""
+    dotted = f"{name}.{key}" if name else key
+    assert field.description, f"{dotted}: expected a docstring below the field, got none; add it"
+    options = [("type", words(hint)), ("default", default(name, key, field)), *more]
+    return directive("confval", dotted, prose(field.description), options)
+
+
+def words(hint: Any) -> str:
+    """A type for the reader."""
+    if get_origin(hint) is Literal:
+        return "one of " + ", ".join(f'`"{value}"`' for value in get_args(hint))
+    if NoneType in get_args(hint):
+        return words(next(each for each in get_args(hint) if each is not NoneType))
+    return WORDS[hint]
+
+
+def default(name: str, key: str, field: FieldInfo) -> str:
+    """What a key is if the file does not say: one value, or one for each preset."""
+    values = {preset: preset_value(preset, name, key, field) for preset in PRESETS}
+    if len(set(values.values())) == 1:
+        return values["paper"]
+    common = [value for value in values.values() if list(values.values()).count(value) > 1][:1]
+    told = [f"{value} in `{preset}`" for preset, value in values.items() if value not in common]
+    return "; ".join([*common, *told])
+
+
+def preset_value(preset: str, name: str, key: str, field: FieldInfo) -> str:
+    """A key's default with a preset, as TOML has it."""
+    given = PRESETS[preset].get(name, {})
+    if key in given:
+        return f"`{json.dumps(given[key])}`"
+    if field.is_required():
+        return "must be given"
+    return "not set" if field.default is None else f"`{json.dumps(field.default)}`"
