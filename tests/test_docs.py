@@ -11,6 +11,7 @@ from scenes import settings_with
 from test_structure import STAGES
 
 import sss_ref
+from sss_ref.io.dump.mapping import BufferTable
 from sss_ref.scene import viewpoints
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -59,6 +60,11 @@ def scene_keys():
 @pytest.mark.parametrize("key", dict.fromkeys(scene_keys()))
 def test_every_scene_key_is_described_with_type_and_default(key, generated):
     assert re.search(rf"\{{confval\}} {re.escape(key)}\n:type: \S.*\n:default: \S.*\n", generated["scene_file"])
+
+
+@pytest.mark.parametrize("key", ["origin", *(f"buffers.NAME.{key}" for key in BufferTable.model_fields)])
+def test_every_mapping_key_is_described_with_type_and_default(key, generated):
+    assert re.search(rf"\{{confval\}} {re.escape(key)}\n:type: \S.*\n:default: \S.*\n", generated["mapping_file"])
 
 
 def test_the_defaults_are_those_of_each_preset(generated):
