@@ -12,6 +12,7 @@ from test_structure import STAGES
 
 import sss_ref
 from sss_ref.io.dump.mapping import BufferTable
+from sss_ref.rules import RULES_VERSION
 from sss_ref.scene import viewpoints
 
 DOCS = Path(__file__).parents[1] / "docs"
@@ -71,6 +72,10 @@ def test_the_defaults_are_those_of_each_preset(generated):
     page = generated["scene_file"]
     assert "{confval} translucency.d_min\n:type: number ≥ 0\n:default: `0.1`; `0.0` in `published`" in page
     assert '| {confval}`blur.mask` | `"output"` | `"taps"` | `"none"` |' in page
+
+
+def test_the_rules_are_those_that_a_rendering_records():
+    assert (DOCS / "rules.md").read_text().startswith(f"# The rules, version {RULES_VERSION}\n")
 
 
 def test_every_command_is_described(generated):
