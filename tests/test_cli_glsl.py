@@ -40,6 +40,13 @@ def test_the_shaders_of_all_passes_are_written(tmp_path, capsys):
     assert "irradiance_fill.frag, " in capsys.readouterr().out
 
 
+def test_the_shaders_of_all_passes_are_printed(capsys):
+    assert main(["glsl", "--scene", "wedge", "--all"]) == 0
+    scene = load_scene("wedge")
+    files = shader_files(method_of(scene.settings), array_lengths(uniforms(scene)))
+    assert capsys.readouterr().out == "\n".join(f"// {name}\n{text}" for name, text in files.items()) + "\n"
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

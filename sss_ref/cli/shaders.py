@@ -20,6 +20,7 @@ def glsl(
     /,
     *,
     scene: Annotated[str, Parameter(help="A scene file or shipped scene, which decides on the stages.")] = "default",
+    all: Annotated[bool, Parameter(negative="", help="Print the shaders of all passes; -o writes them.")] = False,
     output: Annotated[
         Path | None, Parameter(alias="-o", help="A folder for the shaders of all passes.", show_default=False)
     ] = None,
@@ -28,7 +29,7 @@ def glsl(
     ] = "glsl",
     changes: Changes = NO_CHANGES,
 ) -> int:
-    """Print a stage of a scene as a shader, or write complete shaders for all passes, or list passes and stages."""
+    """Print a stage of a scene as a shader, or complete shaders for all passes, or list passes and stages."""
     from sss_ref.interpret.shader import DIALECTS, array_lengths, shader_files, stage_source
     from sss_ref.methods.catalogue import method_of
     from sss_ref.scene.load import load_scene
@@ -36,13 +37,15 @@ def glsl(
 
     loaded = load_scene(scene, **changes.overrides())
     method, lengths = method_of(loaded.settings), array_lengths(uniforms(loaded))
+    files = shader_files(method, lengths, DIALECTS[dialect]) if all or output else {}
     if output is not None:
-        files = shader_files(method, lengths, DIALECTS[dialect])
         _write(output, files)
         out.print(f"{output}: {', '.join(files)}", markup=False)
+    elif all:
+        out.print("\n".join(f"// {name}\n{text}" for name, text in files.items()), markup=False)
     if stage is not None:
         out.print(stage_source(_found(stage, method.passes), lengths, DIALECTS[dialect]), markup=False)
-    if stage is None and output is None:
+    if stage is None and not files:
         for one in method.passes:
             out.print(f"{one.name}: {', '.join(dict.fromkeys(each.name for each in _stages(one)))}")
     return 0
