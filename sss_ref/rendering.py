@@ -120,15 +120,16 @@ class Rendering:
         self.timings[one.name] = time.perf_counter() - start
 
     def shade(
-        self, one: Pass, fragments: Fragments, buffers: Mapping[str, np.ndarray], names: list[str]
+        self, one: Pass, fragments: Fragments, buffers: Mapping[str, np.ndarray], names: list[str], check: bool = True
     ) -> dict[str, np.ndarray]:
-        """Run the stages of a pass once; the named outputs."""
+        """Run the stages of a pass once; the named outputs. check: raise RenderError where one is not finite."""
         kinds, size = one.outputs, (fragments.width, fragments.height)
         outputs = {name: np.empty(shape_of(kinds[name], *size), dtype_of(kinds[name])) for name in names}
         backgrounds = {name: self.background(name, kinds[name]) for name in names}
         work = Work(one, fragments, self.uniforms, buffers, outputs, backgrounds)
         self.interpreter.run_fragments(work, self.pool)
-        require_finite(work, self.pool)
+        if check:
+            require_finite(work, self.pool)
         return outputs
 
     def size(self, one: Pass) -> tuple[int, int]:
