@@ -70,7 +70,16 @@ def judged(scene, oracle, right, stage: str, options: argparse.Namespace) -> str
     verdict = sss_ref.validate(oracle, drawn, profile=options.profile, explain=False)
     if verdict.passed:
         return "not found"
-    return "found at its stage" if verdict.culprit.stage == stage else f"found at {verdict.culprit.stage}"
+    if verdict.culprit.stage == stage or handed_on(scene, verdict.culprit, stage):
+        return "found at its stage"
+    return f"found at {verdict.culprit.stage}"
+
+
+def handed_on(scene, culprit, stage: str) -> bool:
+    """Whether the stage writes nothing in the culprit's pass that could be dumped: then the next one is blamed."""
+    (one,) = (each for each in method_of(scene.settings).passes if each.name == culprit.pass_name)
+    own = [each for each in one.stages if each.name == stage]
+    return bool(own) and not set(own[0].writes.values()) & set(one.outputs)
 
 
 if __name__ == "__main__":

@@ -107,6 +107,9 @@ def test_nan_blank_and_nothing_never_pass(bodies):
     for value in (np.nan, 0.0):
         blank = {name: np.full_like(b, value) if b.dtype == np.float32 else b for name, b in oracle.buffers.items()}
         assert verdict_on(blank, oracle).culprit.buffer == "light_depth"
+    maps = drawn(scene_of(bodies["sphere"], "texture_space"))
+    broken = dict(maps.buffers, irradiance=np.full_like(maps["irradiance"], np.nan))
+    assert verdict_on(broken, maps).culprit.buffer == "irradiance"
     nothing_drawn = dict(oracle.buffers, triangle=np.full_like(oracle["triangle"], -1))
     assert verdict_on(nothing_drawn, oracle).culprit.buffer == "triangle"
     assert verdict_on({}, oracle).summary == "fail: there is no buffer to judge"
