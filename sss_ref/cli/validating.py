@@ -116,10 +116,11 @@ def _table(found: "Report") -> Table:
     table = Table(box=SIMPLE, title="each stage, given what was drawn before it", title_justify="left")
     for name in ("pass", "stage", "buffer"):
         table.add_column(name, no_wrap=True)
-    for name in ("pixels", "same bits", "in reach", f"{ULP_CLASSES[1]} ulp", *ULP_CLASSES[2:]):
+    for name in ("pixels", "same bits", "in reach", "chained", f"{ULP_CLASSES[1]} ulp", *ULP_CLASSES[2:]):
         table.add_column(name, justify="right", no_wrap=True)
     for one in found.verdicts:
         share = [f"{count / one.compared:.2%}" if one.compared else "-" for count in (one.equal, one.within)]
-        cells = [one.pass_name, one.stage, one.buffer, str(one.compared), *share, *map(str, one.ulps[1:])]
-        table.add_row(*cells, style=None if one.passed else "red")
+        whole = f"{one.chained / one.compared:.2%}" if one.compared and one.chained is not None else "-"
+        cells = [one.pass_name, one.stage, one.buffer, str(one.compared), *share, whole, *map(str, one.ulps[1:])]
+        table.add_row(*cells, style="yellow" if one.inherits else None if one.passed else "red")
     return table

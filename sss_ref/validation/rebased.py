@@ -137,7 +137,7 @@ def walk(work: Work, at: Pixels, dumped: Buffers, how: Judgement) -> Iterator[St
     dumped for all that the stage before may have given.
     """
     values = draw_values(work, *at)
-    spread = _spread_varyings(work, at, values)
+    spread = spread_varyings(work, at, values)
     for stage in work.one.stages:
         inputs = [stage_input(work, values, stage.reads[own], kind, at) for own, kind in stage.parameters.items()]
         with np.errstate(all="ignore"):
@@ -166,7 +166,7 @@ def _run(steps: Iterator[Step], at: Pixels, found: Mapping[str, Any]) -> None:
             reach[at] = _shaped(near, reach)
 
 
-def _spread_varyings(work: Work, at: Pixels, values: Mapping[str, Any]) -> dict[str, Any]:
+def spread_varyings(work: Work, at: Pixels, values: Mapping[str, Any]) -> dict[str, Any]:
     """The varyings with all that is within half a subpixel, and the rounding of their interpolation."""
     fragments = work.fragments
     if fragments.primitives is None or fragments.piece is None:

@@ -32,6 +32,7 @@ img { max-width: 100%; image-rendering: pixelated; border-radius: 4px; }
 table.buffers td, table.buffers th { padding: 2px 12px 2px 0; text-align: right; white-space: nowrap; }
 table.buffers td:nth-child(-n+3), table.buffers th:nth-child(-n+3) { text-align: left; }
 table.buffers tr { border-bottom: 1px solid var(--line); } tr.fail td { color: var(--bad); font-weight: 600; }
+tr.inherits td { color: #b07a1e; }
 """
 
 
@@ -66,6 +67,8 @@ def as_json(report: Report) -> dict[str, Any]:
                 "pixels": one.compared,
                 "same_bits": one.equal,
                 "within_reach": one.within,
+                "within_chained": one.chained,
+                "inherits": one.inherits,
                 "ambiguous": one.ambiguous,
                 "unbounded": one.unbounded,
                 "ulps": list(one.ulps),
@@ -137,7 +140,17 @@ def _png(pixels: np.ndarray) -> str:
 
 
 def _table(report: Report) -> str:
-    names = ["pass", "stage", "buffer", "pixels", "same bits", "in reach", f"{ULP_CLASSES[1]} ulp", *ULP_CLASSES[2:]]
+    names = [
+        "pass",
+        "stage",
+        "buffer",
+        "pixels",
+        "same bits",
+        "in reach",
+        "chained",
+        f"{ULP_CLASSES[1]} ulp",
+        *ULP_CLASSES[2:],
+    ]
     head = "".join(f"<th>{escape(name)}</th>" for name in names)
     rows = "".join(map(_row, report.verdicts))
     heading = "<h2>Each stage, given what was drawn before it</h2>"
@@ -146,8 +159,9 @@ def _table(report: Report) -> str:
 
 def _row(one: Verdict) -> str:
     shares = [f"{count / one.compared:.3%}" if one.compared else "-" for count in (one.equal, one.within)]
-    cells = [one.pass_name, one.stage, one.buffer, str(one.compared), *shares, *map(str, one.ulps[1:])]
-    kind = "" if one.passed else ' class="fail"'
+    whole = f"{one.chained / one.compared:.3%}" if one.compared and one.chained is not None else "-"
+    cells = [one.pass_name, one.stage, one.buffer, str(one.compared), *shares, whole, *map(str, one.ulps[1:])]
+    kind = ' class="inherits"' if one.inherits else "" if one.passed else ' class="fail"'
     return f"<tr{kind}>{''.join(f'<td>{escape(cell)}</td>' for cell in cells)}</tr>"
 
 

@@ -19,10 +19,21 @@ from sss_ref.methods.catalogue import method_of
 from sss_ref.rendering import render
 from sss_ref.result import Result
 from sss_ref.scene.load import Scene
+from sss_ref.validation.chained import Bounds, chained
 from sss_ref.validation.hypotheses import hypotheses
 from sss_ref.validation.profile_file import profile_of
-from sss_ref.validation.rebased import Buffers, Check, Judgement, Stored, checks, rebased, walk, work_of
-from sss_ref.validation.storage import STEPS
+from sss_ref.validation.rebased import (
+    RASTERIZER,
+    Buffers,
+    Check,
+    Judgement,
+    Stored,
+    checks,
+    rebased,
+    walk,
+    work_of,
+)
+from sss_ref.validation.storage import STEPS, step_of
 from sss_ref.validation.verdict import Finding, Report, judged
 
 DEFAULT_PROFILE = "vulkan"
@@ -52,16 +63,26 @@ def validate(
         profile_of(profile) if isinstance(profile, str) else profile,
         {name: storage for name, storage in (stored or {}).items() if storage in STEPS},
     )
-    verdicts, wrong = [], None
+    verdicts, wrong, bounds = [], None, chained(oracle, how.profile)
     for check in checks(oracle, buffers, how):
         if only is not None and check.where.shape == only.shape:
             check = replace(check, where=check.where & only)
-        verdicts.append(judged(check))
+        verdicts.append(replace(judged(check), chained=_within_bounds(check, bounds, how)))
         if wrong is None and not verdicts[-1].passed:
             wrong = check
     there = {verdict.buffer for verdict in verdicts}
     missing = tuple(name for name in oracle.buffers if name not in there)
     return Report(tuple(verdicts), missing, _finding(oracle, buffers, how, wrong) if wrong and explain else None)
+
+
+def _within_bounds(check: Check, bounds: Bounds, how: Judgement) -> int | None:
+    """How many compared pixels lie within the chained bounds; None of what the rasterizer writes, which has none."""
+    if check.stage == RASTERIZER:
+        return None
+    low, high = (np.atleast_3d(end)[check.where].astype(np.float64) for end in bounds[check.buffer])
+    got = np.atleast_3d(check.got)[check.where].astype(np.float64)
+    rounding = step_of(how.stored.get(check.buffer, ""), got)
+    return int(((got >= low - rounding) & (got <= high + rounding)).all(axis=-1).sum())
 
 
 def assert_valid(

@@ -32,6 +32,12 @@ class Verdict:
     worst_pixel: tuple[int, int] | None
     ambiguous: int  # pixels where a processor may take one of several texels or sides
     unbounded: int  # pixels about which nothing can be said; they count as within
+    chained: int | None = None  # pixels within what the whole may give without any of the dump (see `chained`)
+
+    @property
+    def inherits(self) -> bool:
+        """Whether the stage is right and its buffer is wrong all the same."""
+        return self.passed and self.chained is not None and self.chained < SHARE * self.compared
 
     @property
     def passed(self) -> bool:

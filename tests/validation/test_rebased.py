@@ -89,7 +89,9 @@ def test_what_follows_from_an_error_is_not_blamed(bodies):
     oracle = drawn(scene_of(bodies["slabs"]))
     wrong = drawn(scene_of(bodies["slabs"], **{"translucency.exponent": 0.7}))
     assert not np.allclose(oracle.image, wrong.image, atol=1e-3)
-    assert [v.stage for v in verdict_on(wrong.buffers, oracle).verdicts if not v.passed] == ["translucency_ratio"]
+    found = verdict_on(wrong.buffers, oracle).verdicts
+    assert [v.stage for v in found if not v.passed] == ["translucency_ratio"]
+    assert [v.buffer for v in found if v.inherits] == ["lit", "scattered", "image"]
 
 
 def test_what_is_not_dumped_comes_from_the_oracle(bodies):

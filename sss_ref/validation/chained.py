@@ -1,0 +1,88 @@
+"""The whole at once: intervals flow from stage to stage, and nothing of the dump goes in.
+
+Where a stage passes with what was drawn before it but its buffer lies outside these bounds, it has inherited an error.
+The bounds grow from stage to stage, so this is reported and decides nothing.
+"""
+
+from collections.abc import Mapping
+from typing import Any, get_origin
+
+import numpy as np
+
+from sss_ref.interpret.arrays import CHUNK, draw_values, stage_input
+from sss_ref.interpret.choices import Texels
+from sss_ref.interpret.profile import Profile
+from sss_ref.interpret.work import CHANNELS, Work
+from sss_ref.language import Texture
+from sss_ref.language.pipeline import Pass
+from sss_ref.language.stage import Stage
+from sss_ref.language.types import components
+from sss_ref.methods.catalogue import method_of
+from sss_ref.numerics.interval import Interval
+from sss_ref.result import Result
+from sss_ref.validation.acceptance import accepted
+from sss_ref.validation.rebased import Pixels, rebased, spread_varyings, work_of
+
+Bounds = dict[str, tuple[np.ndarray, np.ndarray]]  # buffer -> the least and the largest it may hold
+
+
+def chained(oracle: Result, profile: Profile) -> Bounds:
+    """What every buffer of a scene may hold, drawn by a processor of the profile; the rasterizer's are the oracle's."""
+    rendering = rebased(oracle, {})
+    bounds: Bounds = {}
+    for one in method_of(oracle.scene.settings, oracle.scene.own_stages).passes:
+        if not one.on_demand:
+            bounds |= {name: (oracle[name], oracle[name]) for name in one.outputs}
+            _run_rounds(work_of(rendering, one), one, bounds, profile)
+    return bounds
+
+
+def _run_rounds(work: Work, one: Pass, bounds: Bounds, profile: Profile) -> None:
+    """Run a pass as often as it has rounds; `bounds` gets what it writes."""
+    for name, own in one.feedback.items():
+        bounds[own] = bounds[name]
+    for _ in range(one.rounds):
+        fed = {name: bounds[own] for name, own in one.feedback.items()}
+        outputs = {name: (bounds[name][0].copy(), bounds[name][1].copy()) for name in one.outputs}
+        rows, columns = np.nonzero(work.fragments.where)
+        for start in range(0, len(rows), CHUNK):
+            at = rows[start : start + CHUNK], columns[start : start + CHUNK]
+            _run(work, at, {**bounds, **fed}, outputs, profile)
+        bounds |= outputs
+
+
+def _run(work: Work, at: Pixels, bounds: Bounds, outputs: Bounds, profile: Profile) -> None:
+    """Run the stages of a pass on intervals at some pixels."""
+    values = draw_values(work, *at)
+    spread = spread_varyings(work, at, values)
+    for stage in work.one.stages:
+        given = {own: _given(work, stage, own, values, spread, bounds, at) for own in stage.parameters}
+        for name, (value, _) in accepted(stage, given, profile, len(at[0])).items():
+            spread[name] = value
+            if name in outputs:
+                for end, array in zip(("low", "high"), outputs[name], strict=True):
+                    parts = [getattr(part, end) for part in components(value)]
+                    array[at] = parts[0] if array.ndim == 2 else np.stack(parts, axis=-1)
+
+
+def _given(
+    work: Work,
+    stage: Stage,
+    own: str,
+    values: Mapping[str, Any],
+    spread: Mapping[str, Any],
+    bounds: Bounds,
+    at: Pixels,
+) -> Any:
+    """What a stage reads: a texture or a value between its bounds, or what is known exactly."""
+    name, kind = stage.reads[own], stage.parameters[own]
+    if name in spread:
+        return spread[name]
+    if name in bounds and name not in values:
+        low, high = bounds[name]
+        if get_origin(kind) is Texture:
+            return Texels(low, high)
+        ends = [end[at] != 0 if kind is bool else end[at] for end in (low, high)]
+        parts = [Interval(*(end if end.ndim == 1 else end[:, k] for end in ends)) for k in range(CHANNELS[kind])]
+        return kind(*parts) if len(parts) > 1 else parts[0]
+    return stage_input(work, values, name, kind, at)
