@@ -10,7 +10,11 @@ from sss_ref.io.diff import ULP_CLASSES, bits, ulp_class
 from sss_ref.validation.hypotheses import Hypothesis
 from sss_ref.validation.rebased import Check
 
-SHARE = 0.999  # of the compared pixels that must be within reach: on the border of two texels either may be read
+SHARE, FEW = (
+    1e-4,
+    2,
+)  # of the compared pixels, and as many besides, that may be out of reach: the reach of interpolation
+# is an estimate, and on slivers of triangles it can be too small
 
 
 @dataclass(frozen=True)
@@ -37,12 +41,15 @@ class Verdict:
     @property
     def inherits(self) -> bool:
         """Whether the stage is right and its buffer is wrong all the same."""
-        return self.passed and self.chained is not None and self.chained < SHARE * self.compared
+        return self.passed and self.chained is not None and not self._nearly_all(self.chained)
 
     @property
     def passed(self) -> bool:
         """Whether enough pixels are within reach, and there are any."""
-        return self.compared > 0 and self.within >= SHARE * self.compared
+        return self.compared > 0 and self._nearly_all(self.within)
+
+    def _nearly_all(self, pixels: int) -> bool:
+        return self.compared - pixels <= SHARE * self.compared + FEW
 
 
 @dataclass(frozen=True)
