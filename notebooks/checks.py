@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
+from dumps import WRONG_STAGE
 
 from sss_ref.language import ivec2, nearest_texel, vec2, vec3
 from sss_ref.passes.shadow_map import distance_to_light
@@ -133,3 +134,32 @@ def blur_on_the_body(answer: Callable[[float, float, float, int], float]) -> Non
                 f"{pixels:g} of {height} pixels at distance {distance:g} with {fov_y:g} degrees span {expected:.5f} "
                 f"scene units, and yours {got:.5f}. How high is the whole picture out there?"
             )
+
+
+def ulps_between(answer: Callable[[np.float32, np.float32], int]) -> None:
+    """08: how many steps lead from one float32 to another; both are positive."""
+    zero, least, one, two = np.float32(0), np.float32(2.0**-149), np.float32(1), np.float32(2)
+    pairs = [(one, one), (np.nextafter(two, one), two), (one, two), (two, np.float32(3)), (np.float32(0.5), two)]
+    for a, b in [*pairs, (zero, least), (np.float32(4), np.nextafter(np.float32(4), zero))]:
+        expected = abs(int(a.view(np.int32)) - int(b.view(np.int32)))
+        got = answer(a, b)
+        if got != expected:
+            raise NotYet(
+                f"from {a!s} to {b!s} there are {expected} steps, and you count {got}. "
+                "The steps change at every power of two; what does not change is how the bit patterns are ordered."
+            )
+
+
+def wrong_stages(answer: Callable[[], dict[str, str | None]]) -> None:
+    """09: the stage that is wrong in each of the dumps A, B and C; None for the one that is right."""
+    got = answer()
+    for name, expected in WRONG_STAGE.items():
+        if name not in got:
+            raise NotYet(f"nothing is said of {name}.")
+        if got[name] == expected:
+            continue
+        if expected is None:
+            raise NotYet(f"{name} has other bits than the oracle. Could a right processor have them?")
+        if got[name] is None:
+            raise NotYet(f"{name} looks right. Give `sss_ref.validate` its buffers.")
+        raise NotYet(f"{got[name]} is not what is wrong in {name}: did it make a mistake, or was it given one?")

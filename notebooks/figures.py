@@ -183,6 +183,36 @@ def curves(
     return axes
 
 
+def number_line(numbers: np.ndarray, title: str) -> None:
+    """Numbers as strokes on their line."""
+    _, (axes,) = row(1, 0.9, 6.6)
+    axes.vlines(numbers, 0, 1, color=BLUE, linewidth=1.2)
+    axes.set(title=title, yticks=[], ylim=(0, 1.1))
+    axes.spines["left"].set_visible(False)
+
+
+def bands(axes: Axes, x: np.ndarray, reach: Mapping[str, tuple[np.ndarray, np.ndarray]], title: str) -> None:
+    """How far below and above the oracle values may lie: name -> (low, high) in ULP, the widest first."""
+    for (name, (low, high)), color in zip(reach.items(), ("#f0d9a8", "#8fa6d6", RED), strict=True):
+        axes.fill_between(x, low, high, color=color, linewidth=1.2, label=name, step="mid")
+    axes.set(
+        title=title, xlabel="column of the picture", ylabel="ULP from the oracle", yscale="symlog", ylim=(-1e6, 1e6)
+    )
+    axes.legend(loc="upper right", ncols=3)
+
+
+def shares(names: Sequence[str], lines: Mapping[str, Sequence[float]], title: str) -> None:
+    """Two shares (0 to 1) of each named buffer as bars in percent, the first buffer on top."""
+    _, (axes,) = row(1, 0.17 * len(names) + 0.7, 6.6)
+    places = np.arange(len(names))
+    for (label, share), color, shift in zip(lines.items(), (AMBER, RED), (-0.2, 0.2), strict=True):
+        axes.barh(places + shift, 100 * np.asarray(share), 0.4, color=color, label=label)
+    axes.set(title=title)
+    axes.set_yticks(places, labels=names)
+    axes.invert_yaxis()
+    axes.legend()
+
+
 def mark(axes: Axes, pixel: tuple[int, int]) -> None:
     """A ring around a pixel (column, row)."""
     axes.plot(*pixel, marker="o", markersize=13, markerfacecolor="none", markeredgecolor="white", markeredgewidth=3.2)

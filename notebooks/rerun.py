@@ -16,17 +16,26 @@ def rerun(stage: Stage, result: Result, /, **changed: Any) -> dict[str, np.ndarr
     result: a rendering with all its buffers; the stage reads these and the scene's uniforms.
     changed: inputs to use instead: a buffer of the same size, or a uniform.
     """
-    rows, columns = np.nonzero(result["coverage"])
-    given: dict[str, Any] = uniforms(result.scene) | dict(result.buffers) | changed
-    values: dict[str, Any] = {"pixel": ivec2(columns.astype(np.int32), rows.astype(np.int32))}
-    for name, kind in stage.parameters.items():
-        if name not in values:
-            fragments = name in result.buffers
-            values[name] = (
-                buffer_value(kind, given[name], rows, columns) if fragments else uniform_value(kind, given[name])
-            )
-    outputs = stage(*(values[name] for name in stage.parameters))
+    values = inputs_of(stage, result, np.nonzero(result["coverage"]), **changed)
+    outputs = stage(*values.values())
     return {name: _picture(value, stage, name, result) for name, value in outputs._asdict().items()}
+
+
+def inputs_of(stage: Stage, result: Result, at: tuple[np.ndarray, np.ndarray], /, **changed: Any) -> dict[str, Any]:
+    """What a stage reads at some fragments, by the names of its parameters and in their order.
+
+    at: rows and columns (N,) of the camera's picture. result, changed: as in `rerun`.
+    """
+    rows, columns = at
+    given: dict[str, Any] = uniforms(result.scene) | dict(result.buffers) | changed
+    pixel = ivec2(columns.astype(np.int32), rows.astype(np.int32))
+    values: dict[str, Any] = {}
+    for name, kind in stage.parameters.items():
+        if name in result.buffers:
+            values[name] = buffer_value(kind, given[name], rows, columns)
+        else:
+            values[name] = pixel if name == "pixel" else uniform_value(kind, given[name])
+    return values
 
 
 def _picture(value: Any, stage: Stage, name: str, result: Result) -> np.ndarray:

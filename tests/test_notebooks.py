@@ -18,6 +18,8 @@ EXERCISES = {
     "05_translucency": checks.way_inside,
     "06_texture_space": checks.texel_that_holds,
     "07_screen_or_texture": checks.blur_on_the_body,
+    "08_float32": checks.ulps_between,
+    "09_validate_your_shader": checks.wrong_stages,
 }
 LONGEST_CELL = 11  # lines of code; most have fewer
 

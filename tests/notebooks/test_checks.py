@@ -4,6 +4,7 @@ import inspect
 import math
 
 import checks
+import numpy as np
 import pytest
 
 from sss_ref.language import reflect
@@ -25,6 +26,8 @@ RIGHT = {
     checks.blur_on_the_body: [
         lambda pixels, distance, fov_y, height: pixels * 2 * distance * math.tan(math.radians(fov_y / 2)) / height,
     ],
+    checks.ulps_between: [lambda a, b: abs(int(a.view(np.int32)) - int(b.view(np.int32)))],
+    checks.wrong_stages: [lambda: {"A": "shadow_lookup_nearest", "B": None, "C": "scatter_inside"}],
 }
 WRONG = {
     checks.distance_of_a_wall: [
@@ -61,6 +64,17 @@ WRONG = {
         lambda pixels, distance, fov_y, height: pixels * distance * math.tan(math.radians(fov_y / 2)) / height,
         lambda pixels, distance, fov_y, height: pixels * 2 * distance * math.tan(fov_y / 2) / height,
         lambda pixels, distance, fov_y, height: pixels * 2 * distance * math.tan(math.radians(fov_y)) / height,
+    ],
+    checks.ulps_between: [
+        lambda a, b: round(abs(float(a) - float(b)) / float(np.spacing(b))),
+        lambda a, b: round(abs(float(a) - float(b)) / float(np.finfo(np.float32).eps)),
+        lambda a, b: int(b.view(np.int32)) - int(a.view(np.int32)),
+    ],
+    checks.wrong_stages: [
+        lambda: {"A": "shadow_lookup_nearest", "B": "phong_shading", "C": "scatter_inside"},  # the first other bits
+        lambda: {"A": "translucency_ratio", "B": None, "C": "scatter_inside"},  # a consequence
+        lambda: {"A": "shadow_lookup_nearest", "B": None, "C": None},  # by eye
+        lambda: {"A": "shadow_lookup_nearest", "C": "scatter_inside"},
     ],
 }
 

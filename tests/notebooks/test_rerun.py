@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import small_scenes
-from rerun import rerun
+from rerun import inputs_of, rerun
 
 from sss_ref.passes import blur, phong, shadow_map, translucency
 from sss_ref.rendering import render
@@ -43,3 +43,12 @@ def test_a_changed_buffer_changes_the_output(result):
     thin = rerun(translucency.translucency_ratio, result, thickness=none)["translucency"]
     through = (result["directly_lit"] == 0) & (result["shadow_valid"] != 0)
     assert len(np.unique(thin[through])) == 1
+
+
+def test_inputs_of_single_fragments(result):
+    rows, columns = (index[::7] for index in np.nonzero(result["coverage"]))
+    inputs = inputs_of(blur.scatter_inside, result, (rows, columns))
+    assert list(inputs) == list(blur.scatter_inside.parameters)
+    assert np.array_equal(inputs["pixel"].x, columns) and np.array_equal(inputs["pixel"].y, rows)
+    (scattered,) = blur.scatter_inside(*inputs.values())
+    assert np.array_equal(np.stack([*scattered], axis=-1), result["scattered"][rows, columns])

@@ -1,0 +1,200 @@
+# ---
+# jupyter:
+#   jupytext:
+#     text_representation:
+#       extension: .py
+#       format_name: percent
+#   kernelspec:
+#     display_name: Python 3
+#     name: python3
+# ---
+
+# %% [markdown]
+# # 9. Validate your shader
+#
+# You have written the paper's shaders, and they draw something that looks right. Are they? This notebook plays a
+# graphics processor with one mistake in its shaders, and finds the mistake from nothing but the buffers it drew.
+
+# %%
+from dataclasses import replace
+
+import checks
+import figures
+import numpy as np
+import small_scenes
+from dumps import three_dumps
+
+import sss_ref
+from sss_ref.io.diff import differing_pixels
+
+HEAD = "bust"
+SIZE = 256
+
+# %% [markdown]
+# ## It looks right
+#
+# Somebody typed 0.61 for the exponent 0.6 of $x^y / d^{0.6}$. All the "processor" hands over is its buffers.
+
+# %%
+scene = small_scenes.load("figure3_with", HEAD, SIZE)
+oracle = sss_ref.render(scene)
+mistyped = small_scenes.load("figure3_with", HEAD, SIZE, **{"translucency.exponent": 0.61})
+dump = dict(sss_ref.render(mistyped).buffers)
+
+
+# %%
+def side_by_side(dump, limit):
+    _, axes = figures.row(3, height=3.1, width=3.3)
+    figures.picture(axes[0], oracle.image, "The oracle")
+    figures.picture(axes[1], dump["image"], "The processor")
+    gap = (dump["image"] - oracle.image).mean(axis=-1)
+    figures.difference(axes[2], gap, "processor minus oracle", "linear", oracle["coverage"], limit)
+    print(f"root of the mean square difference: {np.sqrt(np.mean((dump['image'] - oracle.image) ** 2)):.2g}")
+
+
+side_by_side(dump, 0.005)
+
+# %% [markdown]
+# No eye tells the two apart, and a number for the whole picture says that hardly anything is wrong. A threshold on
+# such a number either lets this pass or rejects processors that merely round differently.
+#
+# ## Ask stage by stage
+#
+# `validate` gives every stage what the *processor* had before it, and asks whether what the processor made of it is
+# something that a right one may have made: inside the interval of notebook 8. The first stage that fails is where the
+# mistake is. Then it tries out what would explain it, on the very pixels: other numbers for each uniform, other stages,
+# every small change to the source.
+
+# %%
+report = sss_ref.validate(oracle, dump)
+print(report.summary)
+print(*report.explanations, sep="\n")
+assert report.culprit.stage == "translucency_ratio" and "0.61" in report.explanations[0]
+
+# %% [markdown]
+# ## The map of the error
+#
+# The finding holds the buffer of that stage: what came, what was expected, and how far off it may be, the **reach**.
+# Their ratio is the error in a unit that means something: below 1, a right processor may do that.
+
+
+# %%
+def error_map(check):
+    apart = np.abs(check.got.astype(np.float64) - check.expected)
+    ratio = apart / np.maximum(check.reach, 1e-12)
+    wrong = check.where & (apart > check.reach)
+    _, (left, right) = figures.row(2, height=3.4, width=4.2)
+    figures.values(left, check.got, f"{check.buffer} as drawn", check.buffer, check.where)
+    figures.values(right, np.log10(np.maximum(ratio, 1)), "How far out of reach", "log10 of error/reach", wrong)
+
+
+error_map(report.finding.check)
+
+# %% [markdown]
+# Wrong are the pixels into which light comes through the body; where it falls directly, $T$ needs no $d$. And the
+# dark lines are thicknesses near 1, for $1^{0.61} = 1^{0.6}$. An error map often tells as much as the explanation.
+#
+# ## Consequences
+#
+# The processor's `lit`, `scattered` and `image` differ from the oracle's as well. Compared buffer by buffer, as one
+# usually does, four are wrong, and nothing says what went wrong in which. Judged by what each stage was given, one is:
+# the stages after it did the right thing with a wrong number.
+
+
+# %%
+def consequences(dump, report):
+    names = [verdict.buffer for verdict in report.verdicts]
+    compared = np.array([verdict.compared for verdict in report.verdicts])
+    chained = np.array([np.count_nonzero(differing_pixels(dump[name], oracle[name])) for name in names]) / compared
+    rebased = 1 - np.array([verdict.within for verdict in report.verdicts]) / compared
+    lines = {"other than the oracle's": chained, "out of reach, given what was drawn before": rebased}
+    figures.shares(names, lines, "% of the pixels of each buffer, in the order of the stages")
+    return np.count_nonzero(chained), np.count_nonzero(rebased)
+
+
+assert consequences(dump, report) == (4, 1)
+
+# %% [markdown]
+# ## A mistake in the source
+#
+# Numbers are easy. `mutants` lists mistakes that people make in the source of a stage: a forgotten `normalize`, a sign,
+# two swapped operands. `with_stage` lets the "processor" run one of them. Here the bias of the shadow test has lost the
+# part that grows with the slope of the surface.
+
+# %%
+from sss_ref.passes import phong, shadow_map
+from sss_ref.validation.mutants import mutants
+
+
+def drawn_with(stage, wrong):
+    """The buffers of a processor on which one line of a stage is wrong."""
+    body = next(mutant.body for mutant in mutants(stage) if mutant.wrong == wrong)
+    faulty = sss_ref.with_stage(scene, stage.name, replace(stage, body=body))
+    return dict(sss_ref.render(faulty).buffers)
+
+
+# %%
+dump = drawn_with(shadow_map.directly_lit_slope, "bias = bias_abs + bias_slope * texel_width")
+side_by_side(dump, 0.1)
+
+# %%
+report = sss_ref.validate(oracle, dump)
+print(report.summary)
+print(*report.explanations, sep="\n")
+assert report.culprit.stage == "directly_lit_slope"
+assert any("`bias = bias_abs + bias_slope * texel_width`" in each for each in report.explanations)
+
+# %% [markdown]
+# Several mistakes would explain it: they compute the same number, so no buffer can tell them apart. You know which one
+# your source can contain. Here a much larger part of the picture changes its bits:
+
+# %%
+differing, wrong = consequences(dump, report)
+assert differing > 3 and wrong == 1
+
+# %% [markdown]
+# ## What validation cannot see
+#
+# *A mistake that the scene does not provoke.* Phong's highlight needs the light in front of the surface. Drop that
+# condition, and this scene's buffers stay the same, to the bit. Validate with more than one scene, and with a light at
+# grazing angles.
+
+# %%
+dump = drawn_with(phong.phong_shading, "visible = mirrored > 0.0")
+assert sss_ref.validate(oracle, dump).passed
+
+# %% [markdown]
+# *A buffer that is not there.* What you do not dump comes from the oracle. With the last picture alone, the last stage
+# gets the blame for whatever happened before it; with one more buffer, the search moves closer.
+
+# %%
+dump = dict(sss_ref.render(mistyped).buffers)
+for given in (["image"], ["lit", "image"], ["translucency", "lit", "image"]):
+    culprit = sss_ref.validate(oracle, {name: dump[name] for name in given}, explain=False).culprit
+    print(f"given {', '.join(given)}: {culprit.stage}")
+assert culprit.stage == "translucency_ratio"
+
+# %% [markdown]
+# With your own renderer: save each buffer as `NAME.npy` into a folder and run `sss-ref validate`, which does all of
+# this and writes a page with the pictures.
+#
+# ## Exercise
+#
+# Three dumps, by processors that promise what Vulkan asks: `dumps["A"].buffers`, and so for B and C. `reference` is
+# the oracle's rendering of the same scene. One of the three is right, although its bits are not the oracle's. For each
+# of the others name the stage that is wrong.
+
+# %%
+reference, dumps = three_dumps(HEAD)
+_, axes = figures.row(3, height=3.1)
+for panel, (name, each) in zip(axes, dumps.items(), strict=True):
+    same = np.mean(~differing_pixels(each.image, reference.image))
+    figures.picture(panel, each.image, f"{name}: {same:.0%} of the pixels as the oracle's")
+
+
+# %%
+def answer():
+    return {"A": None, "B": None, "C": None}  # None: right; else the name of the stage that is wrong
+
+
+checks.verdict(checks.wrong_stages, answer)

@@ -1,0 +1,25 @@
+"""The last exercise has the solution that its check expects."""
+
+import numpy as np
+import pytest
+from dumps import WRONG_STAGE, three_dumps
+
+import sss_ref
+
+
+@pytest.fixture(scope="module")
+def dumped():
+    return three_dumps("bust")
+
+
+@pytest.mark.parametrize("name", WRONG_STAGE)
+def test_validation_finds_the_stage(name, dumped):
+    oracle, dumps = dumped
+    culprit = sss_ref.validate(oracle, dumps[name].buffers, explain=False).culprit
+    assert (culprit and culprit.stage) == WRONG_STAGE[name]
+
+
+@pytest.mark.parametrize("name", WRONG_STAGE)
+def test_no_dump_has_the_bits_of_the_oracle(name, dumped):
+    oracle, dumps = dumped
+    assert not np.array_equal(dumps[name].image, oracle.image)
