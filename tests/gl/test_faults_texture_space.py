@@ -1,0 +1,65 @@
+"""Faults that only the texture-space method can have, each found at its stage."""
+
+import pytest
+from edited import Fault, judged
+from opengl import needs_mesa
+from test_faults import BORDERED, CLAMPED
+
+pytestmark = needs_mesa
+
+T, PUBLISHED = "texture space", "texture space as published"
+V_FLIPPED = {
+    "fragment_uv = vertex.fragment_uv;": "fragment_uv = vec2(vertex.fragment_uv.x, 1.0 - vertex.fragment_uv.y);"
+}
+
+FAULTS = {
+    "layout upside down": Fault(
+        T, "irradiance_map/rasterizer", {"uv * 2.0 - 1.0": "vec2(uv.x, 1.0 - uv.y) * 2.0 - 1.0"}
+    ),
+    "layout in half of the map": Fault(T, "irradiance_map/rasterizer", {"uv * 2.0 - 1.0": "uv"}),
+    "v flipped for the light": Fault(T, "shadow_map/uv_at_light", V_FLIPPED, "shadow_map."),
+    "v flipped for the camera": Fault(T, "camera/surface", V_FLIPPED, "camera."),
+    "exponent 0.601": Fault(T, "camera/translucency_ratio", {"d_min), exponent)": "d_min), exponent + 0.001)"}),
+    "cosine squared": Fault(
+        T, "irradiance_map/irradiance_lambert", {"(directly_lit ? facing": "(directly_lit ? facing * facing"}
+    ),
+    "shadow ignored": Fault(
+        T, "irradiance_map/irradiance_lambert", {"directly_lit ? facing : shadow_valid ? 0.0 : facing": "facing"}
+    ),
+    "bytes between two passes": Fault(
+        T,
+        "irradiance_map/irradiance_lambert",
+        {"out_irradiance = irradiance;": "out_irradiance = floor(irradiance * 255.0 + 0.5) / 255.0;"},
+    ),
+    "root of a negative number": Fault(
+        T, "irradiance_map/irradiance_lambert", {"out_irradiance = irradiance;": "out_irradiance = sqrt(-irradiance);"}
+    ),
+    "gutter without the left neighbour": Fault(
+        T, "irradiance_fill/dilate", {"from_left = inside(mask, left) ? left : from_right": "from_left = from_right"}
+    ),
+    "taps swapped": Fault(
+        T, "irradiance_blur/scatter_inside", {"tap_offset[tap] * pixel_scale": "tap_offset[tap].yx * pixel_scale"}
+    ),
+    "mask ignored": Fault(T, "irradiance_blur/scatter_inside", {"texel_clamped_bool(coverage, at) ? 1.0 : 0.0": "1.0"}),
+    "border for clamp": Fault(T, "irradiance_blur/scatter_inside", {CLAMPED: BORDERED}, "irradiance_blur"),
+    "light_uv ignored": Fault(T, "camera/irradiance_lookup", {"directly_lit ? uv : shadow_valid ? entered : uv": "uv"}),
+    "no half texel": Fault(T, "camera/irradiance_added", {"map_size.x) - 0.5": "map_size.x)"}),
+    "nearest for linear": Fault(T, "camera/irradiance_added", {"fractional_part(at)": "vec2(0.0, 0.0)"}),
+    "own irradiance for the entered": Fault(
+        T, "camera/irradiance_added", {"scattered_irradiance, irradiance_uv)": "scattered_irradiance, uv)"}
+    ),
+    "multiply for add": Fault(T, "camera/irradiance_added", {"IrradianceUsed(own + ": "IrradianceUsed(own * "}),
+    "no ambient light": Fault(T, "camera/image_product", {"(ambient + irradiance_used": "(irradiance_used"}),
+    "sRGB write": Fault(T, "camera/image_product", {"out_image = image;": "out_image = pow(image, vec3(0.4545));"}),
+    # What is rounded for its target is judged with the rounding: the unrounded value is no buffer.
+    "no root": Fault(
+        PUBLISHED, "camera/stored_rgb8", {"sqrt(max(phong * irradiance_used,": "(max(phong * irradiance_used,"}
+    ),
+    "root of the sum": Fault(PUBLISHED, "camera/stored_rgb8", {"phong * irradiance_used,": "phong + irradiance_used,"}),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_the_stage_with_the_fault_is_named(fault, tmp_path):
+    found = judged(FAULTS[fault], tmp_path)
+    assert not found.passed and f"{found.culprit.pass_name}/{found.culprit.stage}" == FAULTS[fault].at
