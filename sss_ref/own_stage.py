@@ -9,7 +9,7 @@ from sss_ref.errors import SceneError
 from sss_ref.language import Stage
 from sss_ref.language.pipeline import PIXEL, Method
 from sss_ref.language.typing_rules import type_name
-from sss_ref.methods.catalogue import method_of
+from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.scene.load import Scene
 from sss_ref.scene.uniforms import uniforms
 
@@ -22,14 +22,14 @@ def with_stage(scene: Scene, in_place_of: str, stage: Stage, **values: Any) -> S
     name: numbers, or sequences of them, rounded to float32. With several lights it runs once for each, as ours did.
     Raises SceneError where names or types do not fit.
     """
-    _check_outputs(method_of(scene.settings, scene.own_stages), in_place_of, stage)
+    _check_outputs(method_of_scene(scene), in_place_of, stage)
     own = {name: np.array(value, np.float32) for name, value in values.items()}
     changed = replace(
         scene,
         own_stages={**scene.own_stages, in_place_of: stage},
         own_uniforms={**scene.own_uniforms, **{name: v if v.ndim else v[()] for name, v in own.items()}},
     )
-    _check_reads(method_of(changed.settings, changed.own_stages), stage, set(uniforms(changed)))
+    _check_reads(method_of_scene(changed), stage, set(uniforms(changed)))
     return changed
 
 

@@ -15,7 +15,7 @@ from sss_ref.interpret import arrays, kernel
 from sss_ref.interpret.finite import require_finite
 from sss_ref.interpret.work import CHANNELS, Fragments, Work, dtype_of, shape_of
 from sss_ref.language.pipeline import MeshDraw, Method, Pass, ScreenDraw
-from sss_ref.methods.catalogue import method_of
+from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.passes.buffers import background
 from sss_ref.raster.primitives import Primitives, assemble
 from sss_ref.raster.rasterize import visibility
@@ -50,7 +50,7 @@ def render(
     """
     if interpreter not in INTERPRETERS:
         raise SceneError(f"interpreter: expected one of {', '.join(INTERPRETERS)}, got {interpreter!r}")
-    method = method_of(scene.settings, scene.own_stages)
+    method = method_of_scene(scene)
     with _pool(threads) as pool:
         rendering = Rendering(scene, INTERPRETERS[interpreter], pool, _kept(method, keep), subpixel_bits)
         needed = method.only(rendering.kept)
@@ -145,7 +145,9 @@ class Rendering:
             return Fragments(width, height, stencil=stencil), {}
         varyings, columns = varying_columns(one)
         given = self.uniforms | self.buffers
-        clip_position, attributes = self.interpreter.run_vertices(one, self.mesh, given, varyings, columns)
+        clip_position, attributes = self.interpreter.run_vertices(
+            one, self.scene.mesh.attributes, given, varyings, columns
+        )
         viewport = Viewport(width, height, self.subpixel_bits)
         primitives = assemble(clip_position, attributes, self.scene.mesh.triangles, viewport)
         piece, depth = visibility(primitives, viewport, self.pool)
@@ -173,13 +175,6 @@ class Rendering:
                 f"irradiance map: {share} texels are covered more than once; the {policy} triangle counts"
             )
         return last if policy == "last" else first
-
-    @property
-    def mesh(self) -> dict[str, np.ndarray]:
-        """What the vertex stage reads of each vertex; a mesh without UVs has uv 0."""
-        mesh = self.scene.mesh
-        uv = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
-        return {"position": mesh.positions, "normal": mesh.normals, "uv": uv}
 
     def background(self, name: str, kind: Any) -> np.ndarray:
         """What a buffer holds where nothing is drawn, one value a channel."""

@@ -75,28 +75,24 @@ def warmup() -> int:
 
 def _rendered(scene: "Scene", wanted: Wanted, execution: Execution, on_pass: Callable[[str], None]) -> "Result":
     """What is wanted of a scene; the image of several samples is their average."""
-    from sss_ref.methods.catalogue import method_of
+    from sss_ref.methods.catalogue import method_of_scene
     from sss_ref.methods.until import buffers_until
     from sss_ref.rendering import render as render_scene
     from sss_ref.samples import render_samples
 
     if wanted.samples != 1:
         return render_samples(scene, wanted.samples, execution.interpreter, execution.threads, on_pass)
-    keep = (
-        buffers_until(method_of(scene.settings, scene.own_stages), wanted.until)
-        if wanted.until
-        else wanted.keep or "all"
-    )
+    keep = buffers_until(method_of_scene(scene), wanted.until) if wanted.until else wanted.keep or "all"
     return render_scene(scene, execution.interpreter, execution.threads, keep, on_pass)
 
 
 def _table_of_passes(result: "Result") -> Table:
     """One row a pass: its duration, its buffers and the first digits of their hashes."""
-    from sss_ref.methods.catalogue import method_of
+    from sss_ref.methods.catalogue import method_of_scene
 
     table = Table("pass", "ms", "buffer", "sha256")
     table.columns[1].justify = "right"
-    for one in method_of(result.scene.settings, result.scene.own_stages).passes:
+    for one in method_of_scene(result.scene).passes:
         kept = [name for name in one.outputs if name in result.hashes]
         digests = [result.hashes[name][:HASH_DIGITS] for name in kept]
         if one.name in result.timings:

@@ -14,7 +14,7 @@ from sss_ref.interpret.trace import Step, scalar, trace
 from sss_ref.interpret.work import Fragments, Work, uniform_value
 from sss_ref.language.pipeline import MESH_ATTRIBUTES, MeshDraw, Pass
 from sss_ref.language.stage import Stage
-from sss_ref.methods.catalogue import method_of
+from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.raster.interpolate import weights_arrays
 from sss_ref.rendering import Rendering, render
 from sss_ref.result import Result
@@ -94,7 +94,7 @@ def explain(
     seen = scene.scene if isinstance(scene, Result) else scene
     _check_pixel(pixel, seen.settings.camera)
     result = scene if isinstance(scene, Result) else render(scene, interpreter, threads)
-    method = method_of(seen.settings, seen.own_stages)
+    method = method_of_scene(seen)
     for missing in (name for name in method.outputs if name not in result.buffers):
         raise SceneError(f'scene: expected all buffers in the rendering, got no {missing}; render with keep="all"')
     rendering = Rendering(result.scene, arrays, None, set(result.buffers))
@@ -170,7 +170,7 @@ def _drawn(rendering: Rendering, work: Work, pixel: tuple[int, int], values: Map
 
 def _vertex(rendering: Rendering, stage: Stage, vertex: int) -> StageTrace:
     """The vertex stage at one vertex of the mesh."""
-    given = {name: attribute[vertex] for name, attribute in rendering.mesh.items()}
+    given = {name: attribute[vertex] for name, attribute in rendering.scene.mesh.attributes.items()}
     uniforms = rendering.uniforms | rendering.buffers
     inputs = [
         uniform_value(kind, given[own] if own in MESH_ATTRIBUTES else uniforms[stage.reads[own]])

@@ -10,9 +10,9 @@ from sss_ref.errors import ShaderError
 from sss_ref.gl.canvas import Canvas
 from sss_ref.gl.context import open_context
 from sss_ref.gl.shaders import Files, ShaderPair, own_shaders, user_shaders
-from sss_ref.gl.textures import downloaded, filled, vertex_attributes
+from sss_ref.gl.textures import downloaded, filled
 from sss_ref.language.pipeline import MeshDraw, Method, Pass
-from sss_ref.methods.catalogue import method_of
+from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.passes.buffers import background
 from sss_ref.scene.load import Scene
 from sss_ref.scene.uniforms import uniforms
@@ -29,7 +29,7 @@ def draw(scene: Scene, shaders: Mapping[str, Files] | None = None) -> dict[str, 
     A UV layout that overlaps is drawn even where the scene's policy is "error": OpenGL does not tell.
     Raises ShaderError where there is no OpenGL, a shader does not compile, or a pass reads what a shader left out.
     """
-    method = method_of(scene.settings, scene.own_stages)
+    method = method_of_scene(scene)
     passes = {one.name: one for one in method.passes if not one.on_demand}
     for wrong in set(shaders or ()) - set(passes):
         raise ShaderError(f"shaders: expected passes of {method.name} ({', '.join(passes)}), got {wrong!r}")
@@ -93,7 +93,7 @@ class _Drawing:
         clear = {name: background(name, self.canvas.uniforms) for name in pair.outputs}
         written = {name: filled(self.canvas.context, kinds[name], size, value) for name, value in clear.items()}
         if isinstance(one.draw, MeshDraw):
-            vertices = self.canvas.vertices(program, vertex_attributes(self.scene.mesh), self.scene.mesh.triangles)
+            vertices = self.canvas.vertices(program, self.scene.mesh.attributes, self.scene.mesh.triangles)
             later_wins = one.draw.layout and self.scene.settings.irradiance_map.overlap == "last"
             self.canvas.triangles(vertices, written.values(), later_wins)
         else:

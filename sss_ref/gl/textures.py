@@ -1,4 +1,4 @@
-"""What shaders read and write: buffers and uniform arrays as textures, row 0 at the bottom, and vertex attributes."""
+"""What shaders read and write: buffers and uniform arrays as textures, row 0 at the bottom."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -7,9 +7,7 @@ import numpy as np
 
 from sss_ref.interpret.shader import ARRAY_WIDTH, array_lengths
 from sss_ref.interpret.work import CHANNELS, dtype_of, shape_of
-from sss_ref.language.pipeline import MESH_ATTRIBUTES
 from sss_ref.language.types import vec3
-from sss_ref.scene.mesh import Mesh
 
 if TYPE_CHECKING:
     from moderngl import Context, Texture
@@ -51,12 +49,6 @@ def _rows(values: np.ndarray) -> np.ndarray:
     data = np.zeros((rows * ARRAY_WIDTH, *values.shape[1:]), values.dtype)
     data[: len(values)] = values
     return data.reshape(rows, ARRAY_WIDTH, *values.shape[1:])
-
-
-def vertex_attributes(mesh: Mesh) -> dict[str, np.ndarray]:
-    """What a vertex shader reads of each vertex, float32 (V, C); a mesh without UVs has uv 0."""
-    uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
-    return dict(zip(MESH_ATTRIBUTES, (mesh.positions, mesh.normals, uvs), strict=True))
 
 
 def downloaded(texture: "Texture", kind: Any) -> np.ndarray:

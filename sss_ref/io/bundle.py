@@ -11,10 +11,10 @@ from sss_ref.interpret.shader import ARRAY_WIDTH, array_lengths, draws, shader_f
 from sss_ref.interpret.work import CHANNELS
 from sss_ref.io.porting import guide
 from sss_ref.io.whole_folder import appearing, writable
-from sss_ref.language.pipeline import MESH_ATTRIBUTES, Method, Pass, ScreenDraw
+from sss_ref.language.pipeline import Method, Pass, ScreenDraw
 from sss_ref.language.types import Array, Texture, vec2, vec3
 from sss_ref.language.typing_rules import type_name
-from sss_ref.methods.catalogue import method_of
+from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.passes.buffers import background, described
 from sss_ref.rules import RULES_VERSION
 from sss_ref.scene.load import Scene
@@ -32,7 +32,7 @@ def write_bundle(scene: Scene, folder: Path) -> Path:
     Raises DumpError for a folder that cannot be written or is somebody else's.
     """
     folder = writable(folder, _is_bundle, "an earlier bundle")
-    values, method = uniforms(scene), method_of(scene.settings, scene.own_stages)
+    values, method = uniforms(scene), method_of_scene(scene)
     with appearing(folder) as part:
         _write_mesh(scene, part)
         _write_json(part / "uniforms.json", _uniforms(values, method, part))
@@ -61,12 +61,11 @@ def _write_mesh(scene: Scene, folder: Path) -> None:
     import trimesh
 
     mesh = scene.mesh
-    uvs = np.zeros((len(mesh.positions), 2), np.float32) if mesh.uvs is None else mesh.uvs
     (folder / "mesh").mkdir()
-    for name, array in zip(MESH_ATTRIBUTES, (mesh.positions, mesh.normals, uvs), strict=True):
+    for name, array in mesh.attributes.items():
         np.save(folder / "mesh" / f"{name}.npy", array)
     np.save(folder / "mesh" / "triangles.npy", mesh.triangles)
-    visual = trimesh.visual.TextureVisuals(uv=uvs)
+    visual = trimesh.visual.TextureVisuals(uv=mesh.attributes["uv"])
     exported = trimesh.Trimesh(
         mesh.positions, mesh.triangles, vertex_normals=mesh.normals, visual=visual, process=False
     )

@@ -11,7 +11,7 @@ from sss_ref.io import tiles
 from sss_ref.io.lettering import BRIGHT, FAINT, SOFT, font
 from sss_ref.io.png import encoding_of
 from sss_ref.language.pipeline import MeshDraw, Pass
-from sss_ref.methods.catalogue import method_of
+from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.passes.buffers import described
 from sss_ref.result import Result
 from sss_ref.rules import RULES_VERSION
@@ -69,7 +69,7 @@ def write_overview(path: Path, result: Result) -> None:
 def _tiles(result: Result) -> Iterator[Tile]:
     """The kept buffers in stage order, each with the pass that wrote it."""
     encode = encoding_of(result.scene.settings)
-    for number, one in enumerate(method_of(result.scene.settings, result.scene.own_stages).passes):
+    for number, one in enumerate(method_of_scene(result.scene).passes):
         kept = [name for name in one.outputs if name in result.buffers]
         for name in kept:
             buffer = result.buffers[name]

@@ -26,10 +26,9 @@ from sss_ref.scene.shipped import MESH_SUFFIXES
 from sss_ref.scene.untrusted import BYTE_LIMIT, OwnFolder, check_declarations
 from sss_ref.scene.uv_tiles import Tiled, into_unit_square
 
+FloatArray = NDArray[np.float32]
 # Faces of an OBJ file that trimesh would change without a word: fewer than three corners, or a vertex numbered 0.
 BROKEN_FACE = re.compile(rb"^f(?:[ \t]+\S+){0,2}[ \t\r]*$|^f[ \t](?:.*[ \t])?0(?:[/ \t\r].*)?$", re.MULTILINE)
-
-FloatArray = NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,6 +46,12 @@ class Mesh:
     shifted: int = 0  # triangles whose UVs were moved into the unit square
     charts: int = 0  # of UVs that `unwrap` made; 0 for the file's own
     notes: tuple[str, ...] = ()  # what of the file was changed or not used, and why
+
+    @property
+    def attributes(self) -> dict[str, FloatArray]:
+        """What a vertex stage reads of each vertex, by its names, (V, C); a mesh without UVs has uv 0."""
+        uv = np.zeros((len(self.positions), 2), np.float32) if self.uvs is None else self.uvs
+        return {"position": self.positions, "normal": self.normals, "uv": uv}
 
     def hashes(self) -> dict[str, str]:
         """Name of each array -> its `array_hash`."""

@@ -17,7 +17,7 @@ from sss_ref.language import Texture
 from sss_ref.language.pipeline import Pass
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import components
-from sss_ref.methods.catalogue import method_of
+from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.numerics.interval import Interval
 from sss_ref.result import Result
 from sss_ref.validation.acceptance import accepted
@@ -30,7 +30,7 @@ def chained(oracle: Result, profile: Profile) -> Bounds:
     """What every buffer of a scene may hold, drawn by a processor of the profile; the rasterizer's are the oracle's."""
     rendering = rebased(oracle, {})
     bounds: Bounds = {}
-    for one in method_of(oracle.scene.settings, oracle.scene.own_stages).passes:
+    for one in method_of_scene(oracle.scene).passes:
         if not one.on_demand:
             bounds |= {name: (oracle[name], oracle[name]) for name in one.outputs}
             _run_rounds(work_of(rendering, one), one, bounds, profile)

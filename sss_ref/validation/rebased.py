@@ -17,7 +17,7 @@ from sss_ref.interpret.work import Fragments, Work, buffer_value
 from sss_ref.language.pipeline import MeshDraw, Pass
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import components
-from sss_ref.methods.catalogue import method_of
+from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.raster.primitives import Primitives
 from sss_ref.rendering import Rendering
 from sss_ref.result import Result
@@ -72,7 +72,7 @@ def work_of(rendering: Rendering, one: Pass) -> Work:
 def checks(oracle: Result, dumped: Buffers, how: Judgement) -> Iterator[Check]:
     """All buffers of a dump in stage order. oracle: the rendering of the same scene, with all buffers."""
     rendering = rebased(oracle, dumped)
-    for one in method_of(oracle.scene.settings, oracle.scene.own_stages).passes:
+    for one in method_of_scene(oracle.scene).passes:
         if not one.on_demand and set(one.outputs) & set(dumped):
             for check in _checks_of_pass(rendering, one, oracle, dumped, how):
                 rounding = step_of(how.stored.get(check.buffer, ""), check.expected)

@@ -15,7 +15,7 @@ from sss_ref.interpret.profile import Profile
 from sss_ref.interpret.trace import scalar, trace
 from sss_ref.interpret.work import Work
 from sss_ref.language import Stage
-from sss_ref.methods.catalogue import method_of
+from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.rendering import render
 from sss_ref.result import Result
 from sss_ref.scene.load import Scene
@@ -34,7 +34,7 @@ from sss_ref.validation.rebased import (
     work_of,
 )
 from sss_ref.validation.storage import STEPS, step_of
-from sss_ref.validation.verdict import Finding, Report, judged
+from sss_ref.validation.verdict import Finding, Report, Verdict, judged
 
 DEFAULT_PROFILE = "vulkan"
 
@@ -69,10 +69,10 @@ def validate(
             check = replace(check, where=check.where & only)
         verdicts.append(replace(judged(check), chained=_within_bounds(check, bounds, how)))
         if wrong is None and not verdicts[-1].passed:
-            wrong = check
+            wrong = check, verdicts[-1]
     there = {verdict.buffer for verdict in verdicts}
     missing = tuple(name for name in oracle.buffers if name not in there)
-    return Report(tuple(verdicts), missing, _finding(oracle, buffers, how, wrong) if wrong and explain else None)
+    return Report(tuple(verdicts), missing, _finding(oracle, buffers, how, *wrong) if wrong and explain else None)
 
 
 def _within_bounds(check: Check, bounds: Bounds, how: Judgement) -> int | None:
@@ -103,23 +103,23 @@ def _check_buffers(oracle: Result, buffers: Buffers) -> None:
             raise SceneError(f"buffers: expected {name} as {form}, got {buffer.dtype} {buffer.shape}; convert it")
 
 
-def _finding(oracle: Result, buffers: Buffers, how: Judgement, check: Check) -> Finding:
+def _finding(oracle: Result, buffers: Buffers, how: Judgement, check: Check, verdict: Verdict) -> Finding:
     """Look closer at what is wrong."""
     rendering = rebased(oracle, buffers)
     scene = oracle.scene
-    (one,) = (each for each in method_of(scene.settings, scene.own_stages).passes if each.name == check.pass_name)
+    (one,) = (each for each in method_of_scene(scene).passes if each.name == check.pass_name)
     work = work_of(rendering, one)
     found = hypotheses(check, work, buffers, how, _all_stages()) if check.where.any() else []
-    return Finding(check, tuple(found), _worst_section(check, work, buffers, how))
+    return Finding(check, tuple(found), _worst_section(verdict, work, buffers, how))
 
 
-def _worst_section(check: Check, work: Work, buffers: Buffers, how: Judgement) -> Section | None:
+def _worst_section(verdict: Verdict, work: Work, buffers: Buffers, how: Judgement) -> Section | None:
     """The stage at the worst pixel, with what was dumped before it."""
-    pixel = judged(check).worst_pixel
-    if pixel is None or check.stage not in {stage.name for stage in work.one.stages}:
+    pixel = verdict.worst_pixel
+    if pixel is None or verdict.stage not in {stage.name for stage in work.one.stages}:
         return None
     at = np.array([pixel[1]]), np.array([pixel[0]])
-    step = next(step for step in walk(work, at, buffers, how) if check.buffer in step.results)
+    step = next(step for step in walk(work, at, buffers, how) if verdict.buffer in step.results)
     inputs = [scalar(value) for value in step.inputs]
     steps, writes = trace(step.stage, inputs)
     traced = StageTrace(step.stage, dict(zip(step.stage.reads.values(), inputs, strict=True)), steps, writes)

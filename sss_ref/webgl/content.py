@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 from sss_ref.errors import SceneError
-from sss_ref.gl.textures import texture_data, vertex_attributes
+from sss_ref.gl.textures import texture_data
 from sss_ref.interpret.shader import ESSL, array_lengths, draws, fragment_shader, vertex_shader
 from sss_ref.interpret.work import CHANNELS, dtype_of
 from sss_ref.language.pipeline import MeshDraw, Method, Pass
-from sss_ref.methods.catalogue import method_of
+from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.passes.buffers import background
 from sss_ref.scene.load import Scene
 from sss_ref.scene.uniforms import uniforms
@@ -38,7 +38,7 @@ def page(scene: Scene, keep: Collection[str] | None = None) -> str:
 
 def drawing(scene: Scene, keep: Collection[str] | None) -> dict[str, Any]:
     """All that the script needs, as JSON has it; arrays are little-endian bytes in base 64."""
-    method, values = method_of(scene.settings, scene.own_stages), uniforms(scene)
+    method, values = method_of_scene(scene), uniforms(scene)
     kept, textures = _kept(method, keep), texture_data(values)
     return {
         "passes": _passes(method.only({*kept}), kept, scene, values),
@@ -47,8 +47,7 @@ def drawing(scene: Scene, keep: Collection[str] | None) -> dict[str, Any]:
         "textures": {name: _texture(data) for name, data in textures.items()},
         "triangles": _base64(scene.mesh.triangles),
         "attributes": {
-            name: {"channels": data.shape[1], "data": _base64(data)}
-            for name, data in vertex_attributes(scene.mesh).items()
+            name: {"channels": data.shape[1], "data": _base64(data)} for name, data in scene.mesh.attributes.items()
         },
     }
 
