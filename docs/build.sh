@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Build the documentation into docs/_build/html, with warnings as errors. Needs `pip install ".[docs]"` beforehand, and no
-# network; neither do the pages. Notebooks run once and are kept in docs/_build/.jupyter_cache until they change.
+# network; neither do the pages. Notebooks run once: their results are kept in docs/_build/executed until they, or what
+# they run, change.
 set -euo pipefail
 cd "$(dirname "$0")"
 python -m sphinx --builder html --fail-on-warning --keep-going --fresh-env "$@" . _build/html

@@ -24,12 +24,13 @@ extensions = [
 ]
 exclude_patterns = ["_build", "conf.py", "generate", "generated/course/[!0-9]*"]
 nitpicky = True
-nitpick_ignore_regex = [("py:.*", "(numpy|np|collections|os|pathlib|typing|Path|PathLike|NDArray|Matrix).*")]
+nitpick_ignore_regex = [("py:.*", "(numpy|np|collections|concurrent|os|pathlib|typing|Path|PathLike|NDArray|Matrix).*")]
 
 html_theme = "furo"
 html_title = "sss_ref"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
+html_js_files = [("rows.js", {"defer": "defer"})]
 html_copy_source = False
 html_show_copyright = False
 html_theme_options = {"top_of_page_buttons": []}
@@ -45,13 +46,15 @@ myst_substitutions = {"rules_version": RULES_VERSION}
 
 nb_custom_formats = {".py": ["jupytext.reads", {"fmt": "py:percent"}]}
 nb_execution_mode = "cache"
+nb_execution_cache_path = str(DOCS / "_build" / "executed" / pages.what_notebooks_run())
 nb_execution_timeout = 300
 nb_execution_raise_on_error = True
 nb_ipywidgets_js = {}  # no script from the network: where a notebook has sliders, the page shows their picture
-nb_mime_priority_overrides = [("html", "application/vnd.jupyter.widget-view+json", None)]
+nb_mime_priority_overrides = [("html", "application/vnd.jupyter.widget-view+json", None)]  # it has a page, too
 nb_merge_streams = True
 
 autodoc_member_order = "bysource"
+autodoc_preserve_defaults = True
 autodoc_typehints_format = "short"
 default_role = "code"
 

@@ -20,18 +20,19 @@ import numpy as np
 
 import sss_ref
 
-small = {f"{table}.{side}": 192 for table in ("camera", "shadow_map") for side in ("width", "height")}
-scene = sss_ref.load_scene("figure3_with", **small)
+sides = ("camera.width", "camera.height", "shadow_map.width", "shadow_map.height")
+scene = sss_ref.load_scene("figure3_with", **dict.fromkeys(sides, 384))
 result = sss_ref.render(scene)
 {name: buffer.shape for name, buffer in result.buffers.items()}
 
 # %% [markdown]
 # The paper's central quantity is the thickness: the way of the light through the body. It is the distance between a
-# fragment and the point where the light that reaches it entered.
+# fragment and the point where the light that reaches it entered; to the last bit, since the order of the sum is a rule.
 
 # %%
 way = result["position_world"] - result["entry_point"]
-thickness = np.sqrt((way[..., 0] * way[..., 0] + way[..., 1] * way[..., 1]) + way[..., 2] * way[..., 2])
+x, y, z = np.moveaxis(way, -1, 0)
+thickness = np.sqrt((x * x + y * y) + z * z)  # in float32, in this order
 assert np.array_equal(thickness, result["thickness"])
 
 # %% [markdown]

@@ -80,7 +80,7 @@ figures.values(right, distance, "Its distance to what it sees (Figure 1)", "$D$,
 # %%
 stored = encoding.stored_r8(distance).stored_value
 near, far = distance[drawn].min(), distance[drawn].max()
-print(f"D of the head: {near:.2f} to {far:.2f}; in eight bits all {stored[drawn].max():g}")
+print(f"D of the head: {near:.2f} to {far:.2f}; in eight bits it is {stored[drawn].max():g} everywhere")
 assert (stored[drawn] == 1.0).all()
 
 # %% [markdown]
@@ -130,7 +130,7 @@ def seen_from(azimuth, height):
     figure, (left, right) = figures.row(2, height=3.2, width=3.9)
     figures.picture(left, result.image, "The camera's picture")
     drawn = result["light_triangle"] >= 0
-    figures.values(right, result["light_distance"], "The light's map", "$D$", drawn)
+    figures.values(right, result["light_distance"], "The light's map", "$D$, scene units", drawn)
     return figure
 
 

@@ -122,7 +122,8 @@ texel = result["shadow_uv"][row, column] * result["light_distance"].shape[0]
 _, (left, right) = figures.row(2, height=3.4, width=4.1)
 figures.picture(left, result.image, "The camera's picture")
 figures.mark(left, (column, row))
-figures.values(right, result["light_distance"], "The shadow map", "$t$", result["light_triangle"] >= 0)
+seen = result["light_triangle"] >= 0
+figures.values(right, result["light_distance"], "The shadow map", "$t$, scene units", seen)
 figures.mark(right, texel)
 
 # %% [markdown]
@@ -152,8 +153,9 @@ def face(**overrides):
 
 
 def lit_share(result):
-    """Of the fragments that face the light."""
-    facing = result["phong"][..., 0] > result.scene.settings.phong.ambient * result["albedo"][..., 0]
+    """Of the fragments that face the light, and so reflect more than the ambient light."""
+    ambient = result.scene.settings.phong.ambient * result["albedo"]
+    facing = result["phong"][..., 0] > ambient[..., 0]
     return result["directly_lit"][facing].mean()
 
 
@@ -161,18 +163,19 @@ def lit_share(result):
 literal, slope = face(), face(**{"shadow_map.test": "slope"})
 _, axes = figures.row(2, height=3.6, width=3.9)
 for panel, result, name in zip(axes, (literal, slope), ("literal", "with a bias"), strict=True):
-    title = f"{name}: {lit_share(result):.0%} of what faces the light is lit"
+    title = f"{name}: {lit_share(result):.0%} of what faces the light"
     figures.picture(panel, result.image, title)
 assert lit_share(literal) < 0.6 < lit_share(slope)
 
 # %% [markdown]
-# The remedy is a **bias**: as much room as one texel's footprint explains, which is more where the surface is
-# steeper,
+# The titles say how much of what faces the light takes itself for lit; the rest of it should only be what lies in the
+# shadow of the nose or the chin. The remedy is a **bias**: as much room as one texel's footprint explains, which is
+# more where the surface is steeper,
 #
-# $$D - t \leq b_0 + b_1\, s \left(1 + \frac{\sqrt{1 - c^2}}{c}\right), \qquad c = |N \cdot \ell|,$$
+# $$D - t \leq b_0 + b_1\, s \left(1 + \frac{\sqrt{1 - c^2}}{c}\right)$$
 #
-# with the width $s$ of a texel at that distance. Too small a $b_1$, and the speckles return; too large, and shadows
-# detach from what casts them. Try both, with few texels and with many.
+# with $c = |N \cdot \ell|$ and the width $s$ of a texel at that distance. Too small a $b_1$, and the speckles return;
+# too large, and shadows detach from what casts them. Try both, with few texels and with many.
 
 
 # %%
@@ -181,7 +184,7 @@ def speckled(bias, texels):
     result = face(**size, **{"shadow_map.test": "slope", "shadow_map.bias_slope": bias})
     figure, (left, right) = figures.row(2, height=3.3, width=3.7)
     figures.picture(left, result.image, f"$b_1$ = {bias:.2f}, {int(texels)} texels a side")
-    figures.values(right, result["directly_lit"], "1 where lit", "", result["coverage"])
+    figures.values(right, result["directly_lit"], "1 where it takes itself for lit", "", result["coverage"])
     return figure
 
 

@@ -54,7 +54,7 @@ blend = vec3(1 - t, t, np.zeros_like(t))
 unit = normalize(blend)
 lengths = {"blended": np.hypot(blend.x, blend.y), "made unit": np.hypot(unit.x, unit.y)}
 assert abs(1 - lengths["blended"].min() - 0.29) < 0.01
-labels = "Between two normals 90 degrees apart", "place between the corners", "length of the normal"
+labels = "Two normals 90 degrees apart", "place between the corners", "length of the normal"
 axes = figures.curves(labels, t, lengths)
 
 # %% [markdown]
@@ -64,8 +64,8 @@ axes = figures.curves(labels, t, lengths)
 #
 # $$c = \left(k_a + k_d \max(N \cdot \ell, 0) + k_s \max(v \cdot r, 0)^{n}\right) \cdot \text{albedo}$$
 #
-# *Ambient* light comes from everywhere, *diffuse* light from below the surface in all directions alike, and
-# *specular* light is the mirror image of the lamp, blurred. `rerun` takes the stage apart: each time only one term is
+# *Ambient* light comes from everywhere, *diffuse* light leaves the surface in all directions alike, and *specular*
+# light is the mirror image of the lamp, blurred. `rerun` takes the stage apart: each time only one term is
 # left.
 
 # %%
@@ -98,6 +98,9 @@ axes = figures.curves(labels, np.degrees(angle), lobes)
 
 # %% [markdown]
 # ## Move the light, change the surface
+#
+# The highlight shrinks as $n$ grows and wanders with the light. Where the shadow map says that no light arrives
+# (notebook 2), the picture has the ambient term alone: hence the hard edges beside the nose and under the chin.
 
 
 # %%
@@ -112,7 +115,8 @@ def shaded(azimuth, shininess, specular):
     return figure
 
 
-figures.Sliders(shaded, azimuth=(-180, 40, 180), shininess=(1, 32, 128), specular=(0, 0.5, 1))
+ranges = {"azimuth": (-180, 40, 180), "shininess": (1, 32, 128), "specular": (0, 0.5, 1)}
+figures.Sliders(shaded, **ranges)
 
 # %% [markdown]
 # ## One pixel, line by line
@@ -134,17 +138,28 @@ figures.explained(explanation, "phong_shading")
 # %% [markdown]
 # ## Without and with: Figure 3
 #
-# Phong shading alone is the left half of the paper's Figure 3. The right half is what the next notebooks build: the
-# shadow's edge turns red and soft, and the light reaches round the nose. The third picture is what was added.
+# Phong shading with its shadows is the left half of the paper's Figure 3. The right half is what the next notebooks
+# build.
 
 # %%
 scenes = [small_scenes.load(name, HEAD, size=1024) for name in ("figure3_without", "figure3_with")]
 without, scattered = (sss_ref.render(scene, keep=["image", "coverage"]) for scene in scenes)
+_, axes = figures.row(2, height=4.1)
+figures.picture(axes[0], without.image, "without (Figure 3, left)")
+figures.picture(axes[1], scattered.image, "with subsurface scattering (right)")
+
+# %% [markdown]
+# Look closely at where most has changed. The shadow's edge turns soft and red, and there is light where Phong has none:
+# it came through the body. The third picture is what was added, in all three colours together.
+
+# %%
 added = (scattered.image - without.image).mean(axis=-1)
+row, column = np.unravel_index(added[96:-96, 96:-96].argmax(), (832, 832))
+near = slice(row, row + 192), slice(column, column + 192)
 _, axes = figures.row(3, height=3.1, width=3.3)
-figures.picture(axes[0], without.image, "without")
-figures.picture(axes[1], scattered.image, "with subsurface scattering")
-figures.difference(axes[2], added, "the difference", "linear", scattered["coverage"], 0.15)
+figures.picture(axes[0], without.image[near], "without")
+figures.picture(axes[1], scattered.image[near], "with")
+figures.difference(axes[2], added[near], "with minus without", "linear", scattered["coverage"][near], 0.15)
 
 # %% [markdown]
 # ## Exercise

@@ -70,7 +70,7 @@ assert np.round(total, 4).tolist() == [0.9977, 1.0494, 0.9996]
 # %%
 def blurred(picture, kernel, scale=1.0):
     height, width = picture.shape[:2]
-    pixels = ivec2(*np.meshgrid(np.arange(width, dtype=np.int32), np.arange(height, dtype=np.int32)))
+    pixels = ivec2(*np.int32(np.indices((height, width))[::-1]))
     taps = np.array(kernel, np.float32)
     offset, weight = Array(taps[:, :2]), Array(taps[:, 2:])
     out = blur.scatter(Texture(picture), pixels, offset, weight, len(taps), np.float32(scale))
@@ -106,8 +106,7 @@ assert (shift[0] < -0.1).all() and shift[1, 0] > 0 > shift[1, 1:].max()
 # %% [markdown]
 # All colours move to the left by more than a tenth of a pixel; red goes up, green and blue go down. The offsets are
 # spread so that thirteen taps can stand for a smooth disk; they are neither centred nor, strictly, a Gaussian. At
-# this size nobody sees it. At a larger scale one does: move the slider, and the edges of shadows fall apart into
-# steps.
+# this size nobody sees it. At a larger scale one does: the edges of shadows fall apart into steps.
 
 
 # %%
@@ -147,7 +146,7 @@ axes = figures.curves(labels, x, lines, (*figures.CHANNELS, figures.FAINT))
 # and shares their weight among the others (mask `taps`).
 
 # %%
-masks = {"none": "no stencil", "output": "stencil on the output", "taps": "stencil on every tap"}
+masks = {"none": "no stencil", "output": "stencil on output", "taps": "stencil on every tap"}
 results = []
 for mask in masks:
     scene = small_scenes.load("lesson_halo", HEAD, **{"blur.mask": mask})
@@ -175,7 +174,7 @@ for panel, result, title in zip(axes, results, masks.values(), strict=True):
 for result, name in zip(results, masks.values(), strict=True):
     beside = result["scattered"][~inside].sum() / lit.sum()
     kept = result["scattered"][rim].sum() / lit[rim].sum()
-    print(f"{name:23s} beside the head {beside:5.2%} of all light, the rim keeps {kept:.0%}")
+    print(f"{name:20s} {beside:5.2%} of all light beside the head, the rim keeps {kept:.0%}")
 
 # %% [markdown]
 # ## Exercise

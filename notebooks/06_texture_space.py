@@ -53,7 +53,7 @@ print(f"{uv_facts(mesh).seams} of its edges are cut")
 place = vec3(*np.float32([0.2, 0.7, 0.4]))  # on the body
 for uv in ((0, 0), (1, 0), (0.5, 0.75)):
     out = vertex.layout_vertex(place, place, vec2(*np.float32(uv)), mat4(np.eye(4)), mat3(np.eye(3)))
-    print(f"uv {uv} goes to {out.clip_position} and knows that it is at {out.fragment_position}")
+    print(f"uv {uv} goes to {out.clip_position}, with {out.fragment_position} along")
 
 # %% [markdown]
 # ## Irradiance: Figure 2
@@ -168,8 +168,8 @@ assert kept["left"] < 0.5 < 0.99 < kept["right"]
 # ## From the map to the picture
 #
 # A fragment reads the blurred map at its own UV: $i$. The paper mixes it with the Phong colour $c$ as $\sqrt{i\,c}$
-# "to get a normalized result" (2.2). Twice the light gives twice the result, for it is in $i$ and in $c$. But the
-# albedo is in $c$ alone, and so under the root: dark surfaces turn lighter, and colours paler.
+# "to get a normalized result" (2.2). Twice the light gives twice the result, for it is in $i$ and in $c$ (but for the
+# ambient light). The albedo is in $c$ alone, and so under the root: dark surfaces turn lighter, and colours paler.
 
 # %%
 albedo = np.linspace(0, 1, 101, dtype=np.float32)
@@ -191,8 +191,8 @@ axes = figures.curves(("A surface in full light", "albedo", "what the picture sh
 def in_texture_space(azimuth, scale, dilate):
     turn = np.radians(azimuth)
     light = [float(2.7 * np.sin(turn)), 1.5, float(2.7 * np.cos(turn))]
-    keys = {"blur.pixel_scale": scale, "irradiance_map.dilate": int(dilate), "lights.0.position": light}
-    result = sss_ref.render(small_scenes.load("figure5", HEAD, **keys, **MAP))
+    keys = {"blur.pixel_scale": scale, "irradiance_map.dilate": int(dilate), **MAP}
+    result = sss_ref.render(small_scenes.load("figure5", HEAD, **keys, **{"lights.0.position": light}))
     figure, (left, right) = figures.row(2, height=3.5, width=3.6)
     figures.picture(left, result.image, "texture space (Figure 5)")
     figures.picture(right, result["scattered_irradiance"], "its blurred irradiance")
@@ -204,7 +204,7 @@ figures.Sliders(in_texture_space, azimuth=(-180, 65, 180), scale=(0, 2, 8), dila
 # %% [markdown]
 # ## Exercise
 #
-# In which column of a map with `width` columns does `u` lie? Between 0 and 1, both included.
+# In which column of a map with `width` columns does `u` lie? It is between 0 and 1, both included.
 
 
 # %%

@@ -63,7 +63,7 @@ offsets, red = taps[:, :2] * screen.scene.settings.blur.pixel_scale, taps[:, 2]
 camera = screen.scene.camera
 position = screen["position_world"].astype(float)
 away = np.linalg.norm(position - camera.eye, axis=-1)
-pixel = away * float(camera.pixel_size)  # the side of a pixel, on a surface that faces the camera
+pixel = away * float(camera.pixel_size)  # its side, on a surface that faces the camera
 
 
 # %%

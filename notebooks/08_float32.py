@@ -41,8 +41,9 @@ numbers = np.concatenate([2.0**power * np.arange(4, 8) / 4 for power in range(-3
 figures.number_line(numbers, "All numbers with three significant bits between 1/8 and 7")
 
 # %% [markdown]
-# A float32 has 24 significant bits: 1 for the sign, 8 for the power of two, 23 for what follows the leading one. The
-# paper's exponent 0.6 is not among its numbers; what a shader has instead differs in the eighth digit.
+# A float32 has 1 bit for the sign, 8 for the power of two, and 23 for what follows the leading one, which need not be
+# stored: 24 significant bits. The paper's exponent 0.6 is not among its numbers; what a shader has instead differs in
+# the eighth digit.
 
 # %%
 exponent = np.float32(0.6)
@@ -63,9 +64,9 @@ result = sss_ref.render(small_scenes.load("figure3_with", HEAD))
 drawn = result["coverage"] != 0
 N = vec3(*result["normal_world"][drawn].T)
 light = vec3(*np.float32(result.scene.settings.lights[0].position))
-l = normalize(light - vec3(*result["position_world"][drawn].T))  # noqa: E741 - the paper's letter
-by_rule = dot(N, l)
-other_order = N.x * l.x + (N.y * l.y + N.z * l.z)
+L = normalize(light - vec3(*result["position_world"][drawn].T))
+by_rule = dot(N, L)
+other_order = N.x * L.x + (N.y * L.y + N.z * L.z)
 
 # %%
 counted = f"of {by_rule.size} dot products"
@@ -78,8 +79,8 @@ assert (by_rule != other_order).any()
 #
 # Most processors have an instruction for $a b + c$ that rounds once instead of twice: the **fused multiply-add**. It
 # is faster and more accurate, and the compiler decides where to use it. So the same source, on the same processor,
-# may change its bits with a driver update. In float64 the product of two float32 is exact, which is (but for ties
-# that are rarer than one in $2^{28}$) what the instruction computes.
+# may change its bits with a driver update. In float64 the product of two float32 is exact, so a sum in float64 that is
+# rounded to float32 is what the instruction computes (but for ties, rarer than one in $2^{28}$).
 
 
 # %%
@@ -87,7 +88,7 @@ def fused(a, b, c):
     return (a.astype(np.float64) * b + c).astype(np.float32)
 
 
-with_fused = fused(N.z, l.z, fused(N.y, l.y, N.x * l.x))
+with_fused = fused(N.z, L.z, fused(N.y, L.y, N.x * L.x))
 print(f"other bits with fused multiply-add: {np.mean(by_rule != with_fused):.0%} {counted}")
 assert (by_rule != with_fused).any()
 
@@ -103,7 +104,8 @@ assert (by_rule != with_fused).any()
 d = np.linspace(0.1, 3, 200_001, dtype=np.float32)
 nearest, library = pow(d, exponent), np.power(d, exponent)
 apart = np.abs(bits(nearest).astype(int) - bits(library).astype(int))
-print(f"np.power is not the nearest float32 for {np.mean(apart > 0):.1%} of the d, at most {apart.max()} ULP off")
+missed = f"{np.mean(apart > 0):.1%} of the d, by at most {apart.max()} ULP"
+print(f"np.power misses the nearest float32 for {missed}")
 
 # %% [markdown]
 # A graphics processor may be much farther off. Vulkan defines `pow(x, y)` as $2^{y \log_2 x}$, where the logarithm
@@ -130,7 +132,7 @@ assert allowed["$x^{32}$"].min() > 90
 
 # %% [markdown]
 # The teeth are where the *result* passes a power of two and its ULP doubles. No eye sees any of this: 256 ULP are at
-# most one part in 32768. But a test that compares with a tolerance guessed too small fails on a correct processor.
+# most one part in 32768. But a test whose tolerance was guessed too small fails on a correct processor.
 #
 # ## Corners on a grid
 #
@@ -155,7 +157,7 @@ for row, column in turned:
 
 # %%
 others, all_drawn = np.count_nonzero(drawn & ~same), np.count_nonzero(drawn)
-print(f"{others} of {all_drawn} pixels see another triangle; {len(turned)} change between lit and shadow")
+print(f"{others} of {all_drawn} pixels see another triangle, {len(turned)} turn from lit to shadow or back")
 assert 0 < len(turned) < 0.02 * all_drawn
 
 # %% [markdown]

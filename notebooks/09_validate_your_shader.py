@@ -49,13 +49,15 @@ def side_by_side(dump, limit):
     figures.picture(axes[1], dump["image"], "The processor")
     gap = (dump["image"] - oracle.image).mean(axis=-1)
     figures.difference(axes[2], gap, "processor minus oracle", "linear", oracle["coverage"], limit)
-    print(f"root of the mean square difference: {np.sqrt(np.mean((dump['image'] - oracle.image) ** 2)):.2g}")
+    square = (dump["image"] - oracle.image) ** 2
+    print(f"root of the mean square difference: {np.sqrt(square.mean()):.2g}")
 
 
 side_by_side(dump, 0.005)
 
 # %% [markdown]
-# No eye tells the two apart, and a number for the whole picture says that hardly anything is wrong. A threshold on
+# No eye tells the two apart; only the third picture shows them, and its colours end at 0.005. A number for the whole
+# picture says that hardly anything is wrong. A threshold on
 # such a number either lets this pass or rejects processors that merely round differently.
 #
 # ## Ask stage by stage
@@ -85,7 +87,8 @@ def error_map(check):
     wrong = check.where & (apart > check.reach)
     _, (left, right) = figures.row(2, height=3.4, width=4.2)
     figures.values(left, check.got, f"{check.buffer} as drawn", check.buffer, check.where)
-    figures.values(right, np.log10(np.maximum(ratio, 1)), "How far out of reach", "log10 of error/reach", wrong)
+    decades = np.log10(np.maximum(ratio, 1))
+    figures.values(right, decades, "How far out of reach", "log10 of error/reach", wrong)
 
 
 error_map(report.finding.check)
@@ -105,7 +108,8 @@ error_map(report.finding.check)
 def consequences(dump, report):
     names = [verdict.buffer for verdict in report.verdicts]
     compared = np.array([verdict.compared for verdict in report.verdicts])
-    chained = np.array([np.count_nonzero(differing_pixels(dump[name], oracle[name])) for name in names]) / compared
+    differing = [np.count_nonzero(differing_pixels(dump[name], oracle[name])) for name in names]
+    chained = np.array(differing) / compared
     rebased = 1 - np.array([verdict.within for verdict in report.verdicts]) / compared
     lines = {"other than the oracle's": chained, "out of reach, given what was drawn before": rebased}
     figures.shares(names, lines, "% of the pixels of each buffer, in the order of the stages")
@@ -194,7 +198,7 @@ for panel, (name, each) in zip(axes, dumps.items(), strict=True):
 
 # %%
 def answer():
-    return {"A": None, "B": None, "C": None}  # None: right; else the name of the stage that is wrong
+    return {"A": None, "B": None, "C": None}  # None: right; else the name of the wrong stage
 
 
 checks.verdict(checks.wrong_stages, answer)

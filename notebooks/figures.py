@@ -119,7 +119,8 @@ def taps(axes: Axes, offsets: np.ndarray, weights: np.ndarray, title: str, color
     """The taps of a kernel as circles: at their offsets (N, 2) in pixels, areas as their weights (N,)."""
     axes.scatter(*offsets.T, s=1800 * weights, color=color, alpha=0.45, edgecolors=color)
     axes.scatter(*offsets.T, s=3, color=INK)
-    axes.set(title=title, xlim=(-8, 8), ylim=(-8, 8), aspect="equal", xlabel="pixels")
+    axes.set(title=title, xlim=(-8, 8), ylim=(-8, 8), aspect="equal", xlabel="pixels", ylabel="pixels")
+    axes.set(xticks=range(-8, 9, 4), yticks=range(-8, 9, 4))
     axes.grid(color=NO_VALUE)
     axes.set_axisbelow(True)
 
@@ -129,7 +130,8 @@ def centres(axes: Axes, shift: np.ndarray, title: str) -> None:
     axes.axhline(0, color=FAINT, linewidth=0.8)
     axes.axvline(0, color=FAINT, linewidth=0.8)
     axes.scatter(*shift, c=CHANNELS, s=60)
-    axes.set(title=title, xlabel="pixels", xlim=(-0.3, 0.3), ylim=(-0.3, 0.3), aspect="equal")
+    axes.set(title=title, xlim=(-0.3, 0.3), ylim=(-0.3, 0.3), aspect="equal")
+    axes.set(xlabel="pixels to the right", ylabel="pixels up")
 
 
 def ways_through_a_disk(light: vec3, entry: vec3, fragment: vec3) -> None:
@@ -195,9 +197,8 @@ def bands(axes: Axes, x: np.ndarray, reach: Mapping[str, tuple[np.ndarray, np.nd
     """How far below and above the oracle values may lie: name -> (low, high) in ULP, the widest first."""
     for (name, (low, high)), color in zip(reach.items(), ("#f0d9a8", "#8fa6d6", RED), strict=True):
         axes.fill_between(x, low, high, color=color, linewidth=1.2, label=name, step="mid")
-    axes.set(
-        title=title, xlabel="column of the picture", ylabel="ULP from the oracle", yscale="symlog", ylim=(-1e6, 1e6)
-    )
+    axes.set(title=title, xlabel="column of the picture", ylabel="ULP from the oracle")
+    axes.set(yscale="symlog", ylim=(-1e6, 1e6), yticks=[-1e5, -1e3, -10, 0, 10, 1e3, 1e5])
     axes.legend(loc="upper right", ncols=3)
 
 
@@ -233,7 +234,7 @@ class Sliders:
     """A figure with a slider for each of its parameters, drawn anew while one moves.
 
     draw: called with the parameters by name; gives a figure. ranges: name -> (least, first, greatest value).
-    A notebook shows the sliders where widgets run, and the figure for the first values where they do not.
+    A notebook shows the sliders where widgets run; where they do not, the figure for the first values, and says so.
     """
 
     def __init__(self, draw: Callable[..., Figure], **ranges: tuple[float, float, float]) -> None:
@@ -250,10 +251,13 @@ class Sliders:
         self.shown.value = png_of(figure)
 
     def _repr_mimebundle_(self, **options: object) -> dict[str, object]:
-        """The widgets, and the picture for readers without them."""
+        """The widgets, and for readers without them the picture, as a page and alone."""
         left = Layout(align_items="flex-start")  # or the picture would be stretched
         widgets = VBox([*self.controls.values(), self.shown], layout=left)._repr_mimebundle_(**options)
-        return widgets | {"image/png": base64.b64encode(self.shown.value).decode()}
+        png = base64.b64encode(self.shown.value).decode()
+        caption = f"In Jupyter, with sliders for {', '.join(self.controls)}."
+        page = f'<figure><img src="data:image/png;base64,{png}"><figcaption>{caption}</figcaption></figure>'
+        return widgets | {"text/html": page, "image/png": png}
 
 
 def png_of(figure: Figure) -> bytes:

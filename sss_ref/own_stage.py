@@ -17,9 +17,10 @@ from sss_ref.scene.uniforms import uniforms
 def with_stage(scene: Scene, in_place_of: str, stage: Stage, **values: Any) -> Scene:
     """A scene whose method runs `stage` where it ran the stage named `in_place_of`.
 
+    With several lights it runs once for each, as ours did.
     stage: writes at least what that one wrote, with the same types; other outputs are new buffers. It may read every
-    buffer of the passes and stages before it and every uniform, by name, and uniforms of its own. values: those, by
-    name: numbers, or sequences of them, rounded to float32. With several lights it runs once for each, as ours did.
+    buffer of the passes and stages before it and every uniform, by name, and uniforms of its own. values: those, each
+    a number or a sequence of them, rounded to float32.
     Raises SceneError where names or types do not fit.
     """
     _check_outputs(method_of_scene(scene), in_place_of, stage)

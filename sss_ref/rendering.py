@@ -37,14 +37,15 @@ def render(
     on_pass: Callable[[str], None] | None = None,
     subpixel_bits: int = FINEST,
 ) -> Result:
-    """Render a scene.
+    """Render a scene: every stage of its method, pass by pass.
 
+    scene: what `load_scene` gives.
     interpreter: "kernel" (compiled) or "arrays" (NumPy); the bits are the same.
     threads: how many share the work (None: as many as there are processors); the bits are the same.
     keep: "all" buffers, the "final" image, or a list of names; only what is kept is written. The name "taps" stands for
         the single taps of the blur, tap_00, tap_01 and so on, which "all" leaves out.
     on_pass: called with the name of each pass before it runs.
-    subpixel_bits: of the snap (rule R2), 0 to 8; only 8 are the rules' bits, others are for comparing with a GPU.
+    subpixel_bits: of the snap (rule R2), 0 to 8; 8, the default, are the rules' bits, others for comparing with a GPU.
     Raises SceneError for an unknown interpreter or buffer or bits out of range, RenderError where a stage gives NaN
     or infinity.
     """

@@ -1,5 +1,6 @@
 """The documentation names everything there is, and its links lead somewhere; docs/build.sh builds the site itself."""
 
+import ast
 import inspect
 import re
 import sys
@@ -8,12 +9,13 @@ from pathlib import Path
 
 import pytest
 from scenes import settings_with
-from test_structure import STAGES
+from test_structure import PACKAGE, SOURCES, STAGES
 
 import sss_ref
 from sss_ref.io.dump.mapping import BufferTable
 from sss_ref.rules import RULES_VERSION
 from sss_ref.scene import viewpoints
+from sss_ref.scene.kernels import HBH09
 
 DOCS = Path(__file__).parents[1] / "docs"
 sys.path.insert(0, str(DOCS / "generate"))
@@ -78,6 +80,11 @@ def test_the_rules_are_those_that_a_rendering_records():
     assert (DOCS / "rules.md").read_text().startswith(f"# The rules, version {RULES_VERSION}\n")
 
 
+def test_the_rules_have_the_numbers_of_the_kernel():
+    rows = re.findall(r"^\| (-?\d.*) \|$", (DOCS / "rules.md").read_text(), re.MULTILINE)
+    assert tuple(tuple(map(float, row.split(" | "))) for row in rows) == HBH09
+
+
 def test_every_command_is_described(generated):
     from sss_ref.cli import app
 
@@ -100,16 +107,40 @@ def test_every_relative_link_leads_somewhere(path, generated):
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
-def test_a_list_of_arguments_names_all_of_them(name):
+def test_a_documented_function_names_every_argument(name):
+    text, names = inspect.getdoc(documented(name)), inspect.signature(documented(name)).parameters
+    assert not [each for each in names if not re.search(rf"\b{each}\b", text)]
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_a_documented_function_tells_the_shape_of_its_arrays(name):
+    if "ndarray" in str(inspect.signature(documented(name))):
+        assert re.search(r"\([A-Z](, [A-Z0-9])*,?\)|as in `validate`", inspect.getdoc(documented(name)))
+
+
+def documented(name):
     module, _, function = name.rpartition(".")
-    documented = getattr(import_module(module), function)
-    text, names = inspect.getdoc(documented), inspect.signature(documented).parameters
-    if ":param" in house_docstrings.with_fields(text, names):
-        assert not [each for each in names if not re.search(rf"\b{each}\b", text)]
+    return getattr(import_module(module), function)
+
+
+def public_functions(source):
+    """Every public function and method of a source, by its syntax tree."""
+    for node in ast.walk(ast.parse(source.read_text())):
+        if isinstance(node, ast.FunctionDef) and not node.name.startswith("_"):
+            yield node
+
+
+@pytest.mark.parametrize("source", SOURCES, ids=lambda path: path.relative_to(PACKAGE).as_posix())
+def test_no_docstring_explains_what_is_no_argument(source):
+    for function in public_functions(source):
+        text = ast.get_docstring(function) or ""
+        explained = re.findall(r"(?:^ *|\. )([a-z_][a-z_0-9]*(?:, [a-z_][a-z_0-9]*)*): ", text, re.MULTILINE)
+        names = {each.arg for each in ast.walk(function.args) if isinstance(each, ast.arg)}
+        assert {name for each in explained for name in each.split(", ")} <= names, function.name
 
 
 def test_there_are_documented_functions():
-    assert {"sss_ref.render", "sss_ref.load_scene"} <= {*FUNCTIONS}
+    assert {"sss_ref.render", "sss_ref.gl.draw", "sss_ref.io.dump.read.read_dump"} <= {*FUNCTIONS}
 
 
 def test_arguments_become_fields():

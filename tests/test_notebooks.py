@@ -55,6 +55,16 @@ def test_notebook_runs_and_its_exercise_is_still_open(path, capsys):
             EXERCISES[path.stem](names["answer"])
 
 
+@pytest.mark.full
+@pytest.mark.parametrize("path", NOTEBOOKS[1:], ids=lambda path: path.stem)
+def test_notebook_takes_another_head(path, tmp_path):
+    source = path.read_text()
+    assert source.count('\nHEAD = "bust"\n') == 1
+    other = tmp_path / path.name
+    other.write_text(source.replace('\nHEAD = "bust"\n', '\nHEAD = "molar_enamel"\n'))
+    runpy.run_path(str(other))
+
+
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_cells_are_small_and_define_no_stage(path):
     assert max(map(len, cells(path))) <= LONGEST_CELL

@@ -1,5 +1,6 @@
 """All generated pages, written into a folder of their own."""
 
+import hashlib
 import shutil
 from pathlib import Path
 
@@ -8,6 +9,8 @@ import language_reference
 import mapping_reference
 import scene_reference
 import stage_reference
+
+from sss_ref.compiled import fingerprint
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 
@@ -21,6 +24,12 @@ def texts() -> dict[str, str]:
         "language": language_reference.page(),
         **stage_reference.pages(),
     }
+
+
+def what_notebooks_run() -> str:
+    """A hash of the package and of the modules beside the notebooks: with another, their results are out of date."""
+    modules = b"".join(path.read_bytes() for path in sorted(NOTEBOOKS.glob("[!0-9]*.py")))
+    return hashlib.sha256(fingerprint().encode() + modules).hexdigest()[:16]
 
 
 def write(folder: Path) -> None:

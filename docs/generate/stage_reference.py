@@ -63,11 +63,7 @@ def pages() -> dict[str, str]:
 def index(found: dict[str, ModuleType]) -> str:
     """The list of all stages, and of all buffers."""
     listed = "\n".join(found)
-    rows = [
-        [f"[`{stage.name}`](#stage-{stage.name})", name, one_line(first_sentence(stage.python))]
-        for name, module in found.items()
-        for stage in stages_of(module)
-    ]
+    tables = "\n\n".join(f"## [{name}]({name}.md)\n\n{stage_table(module)}" for name, module in found.items())
     buffers = [[f"`{name}`", one_line(buffer.unit), background(buffer.background)] for name, buffer in BUFFERS.items()]
     return f"""# Stages
 
@@ -75,7 +71,7 @@ A stage is the unit of validation: one pure function from buffers and uniforms t
 read from the functions themselves. The same source runs as array code, as compiled kernel and, translated statement by
 statement, as the shader that is shown beside it.
 
-{table(["stage", "module", "what it computes"], rows)}
+{tables}
 
 ## Buffers
 
@@ -89,6 +85,15 @@ Every buffer of both methods. With several lights, what belongs to one carries i
 {listed}
 ```
 """
+
+
+def stage_table(module: ModuleType) -> str:
+    """The stages of a module, each with its first sentence."""
+    rows = [
+        [f"[`{stage.name}`](#stage-{stage.name})", one_line(first_sentence(stage.python))]
+        for stage in stages_of(module)
+    ]
+    return table(["stage", "what it computes"], rows)
 
 
 def background(value: float | str) -> str:

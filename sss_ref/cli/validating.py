@@ -26,7 +26,9 @@ def validate(
     scene: Annotated[str, Parameter(help="A scene file, or the name of a shipped scene.")],
     dump: Annotated[
         Path | None,
-        Parameter(help="A folder of buffers or a mapping file; with --run-glsl a folder of shaders (camera.frag ...)."),
+        Parameter(
+            help="A folder of buffers or a mapping file; with `--run-glsl` a folder of shaders (camera.frag ...)."
+        ),
     ] = None,
     /,
     *,

@@ -15,7 +15,8 @@ STYLE = """
 .sss-explanation table { border-collapse: collapse; margin: 0 0 0.6em 1em; }
 .sss-explanation tr[class] td { font-family: ui-monospace, monospace; text-align: left; vertical-align: top;
   white-space: pre; padding: 1px 14px 1px 0; border: 0; }
-.sss-explanation tr[class] td:first-child { white-space: pre-wrap; min-width: 24em; max-width: 32em; }
+.sss-explanation tr[class] td:first-child { white-space: pre-wrap; min-width: min(20em, 50vw);
+  max-width: 32em; }
 .sss-explanation .read td, .sss-explanation .call td, .sss-explanation .turn td { opacity: 0.65; }
 .sss-explanation tr[class] td.bits { opacity: 0.5; }
 .sss-explanation tr[class] td.glsl { color: #2a7f4f; }

@@ -22,11 +22,12 @@ if TYPE_CHECKING:
 
 
 def draw(scene: Scene, shaders: Mapping[str, Files] | None = None) -> dict[str, np.ndarray]:
-    """Draw a scene on this machine's OpenGL: every buffer of its method by name, row 0 at the bottom.
+    """Draw a scene on this machine's OpenGL: every buffer of its method by name.
 
+    The buffers are (H, W) or (H, W, C), row 0 at the bottom, as those of a rendering. A UV layout that overlaps is
+    drawn even where the scene's policy is "error": OpenGL does not tell.
     shaders: pass -> the user's file or files (see `user_shaders`), drawn in the place of ours. What the rasterizer
         writes (triangle, depth, coverage) ours draw if theirs do not; whatever else theirs leave out is missing.
-    A UV layout that overlaps is drawn even where the scene's policy is "error": OpenGL does not tell.
     Raises ShaderError where there is no OpenGL, a shader does not compile, or a pass reads what a shader left out.
     """
     method = method_of_scene(scene)

@@ -23,6 +23,7 @@ def run_intervals(
     """Run a stage on all fragments; buffer -> what it may hold, floats as float32.
 
     inputs: parameter -> Interval, vector of Intervals, `Texels`, or a value of the array interpreter, taken exactly.
+    profile: what the processor that runs the stage may do.
     Fragments are arrays (N,); scalars are the same for all of them, and where nothing else is read N is 1.
     pool: shares the chunks of fragments; the result is the same.
     """

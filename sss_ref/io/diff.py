@@ -46,10 +46,12 @@ class FolderDiff:
 
 
 def diff(a: Path, b: Path) -> FolderDiff:
-    """Compare two result folders, or folders of buffers as NPY files, without reading more than two buffers at a time.
+    """Compare two folders of buffers, without reading more than two buffers at a time.
 
-    Stage order is that of the first manifest found, else that of `BUFFERS`. Raises DumpError where a folder has no
-    buffers, a file is no buffer, the two have none in common, or one differs in size or type.
+    Stage order is that of the first manifest found, else that of `BUFFERS`.
+    a, b: result folders, or folders of NPY files named after the buffers.
+    Raises DumpError where a folder has no buffers, a file is no buffer, the two have none in common, or one differs in
+    size or type.
     """
     files_a, files_b = buffer_files(a), buffer_files(b)
     order = _stage_order(a, b)

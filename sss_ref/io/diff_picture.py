@@ -78,9 +78,10 @@ def checked_picture_file(path: Path) -> Path:
 
 
 def write_diff_picture(path: Path, name: str, a: Path, b: Path) -> None:
-    """Draw buffer `name`, which differs between two folders, from both, and a map of the differences, as PNG.
+    """Draw buffer `name`, which differs between the folders a and b, from both, and a map of the differences.
 
-    The map shows every difference, also of a buffer too large to be shown whole. Raises DumpError as `diff` does.
+    The map shows every difference, also of a buffer too large to be shown whole. path: the PNG file to write.
+    Raises DumpError as `diff` does.
     """
     files_a, files_b = buffer_files(a), buffer_files(b)
     pair = buffer_pair(files_a[name], files_b[name])

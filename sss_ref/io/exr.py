@@ -17,7 +17,7 @@ from sss_ref.passes.buffers import described
 def write_exr(
     path: Path, buffers: Mapping[str, np.ndarray], size: tuple[int, int], metadata: Mapping[str, str | int]
 ) -> None:
-    """Write buffers (H, W) or (H, W, C), row 0 at the bottom.
+    """Write buffers (H, W) or (H, W, C), row 0 at the bottom, as the parts of one EXR file at `path`.
 
     size: width and height of the display window. metadata: attributes of every part, prefixed with `sss_ref:`.
     """

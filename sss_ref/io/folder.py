@@ -34,7 +34,7 @@ def checked_target(folder: Path) -> Path:
 
 
 def read_buffer(path: Path) -> np.ndarray:
-    """A buffer from its NPY file, row 0 at the bottom. Raises DumpError where it cannot be read."""
+    """The buffer (H, W) or (H, W, C), row 0 at the bottom, in the NPY file at `path`; DumpError if it is none."""
     try:
         return np.load(path, allow_pickle=False)
     except (OSError, ValueError, EOFError) as error:

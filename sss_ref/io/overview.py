@@ -47,7 +47,7 @@ class Tile:
 
 
 def write_overview(path: Path, result: Result) -> None:
-    """Draw the contact sheet of a rendering and write it as PNG."""
+    """Draw the contact sheet of a rendering, `result`, and write it as a PNG file at `path`."""
     found = list(_tiles(result))
     columns = _columns(len(found))
     camera = result.scene.settings.camera

@@ -51,9 +51,10 @@ def write_png(
     coverage: np.ndarray | None = None,
     encode: Callable[[np.ndarray], np.ndarray] = srgb8,
 ) -> None:
-    """Write a linear RGB image float32 (H, W, 3), row 0 at the bottom, with its values encoded in 8 bits.
+    """Write a linear RGB image float32 (H, W, 3), row 0 at the bottom, as a PNG file at `path`.
 
     coverage: 0 to 1 (H, W), becomes alpha (colour is not premultiplied by it); None: no alpha channel.
+    encode: what brings linear values to 8 bits, `srgb8` or `plain8`.
     """
     import imageio.v3 as imageio
 

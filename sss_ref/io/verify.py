@@ -32,8 +32,8 @@ def verify(
 ) -> Verdict:
     """Whether the scene recorded in a result folder still gives the recorded buffers.
 
-    interpreter, threads, on_pass: as in `render`. Where something differs the message says what: the rules, a file of
-    the folder, the mesh, or else the computation, with the first differing buffer, pixel and both values.
+    Where something differs the message says what: the rules, a file of the folder, the mesh, or else the computation,
+    with the first differing buffer, pixel and both values. interpreter, threads, on_pass: as in `render`.
     Raises DumpError for a folder that is not a whole result, SceneError and MeshError as `load_scene` does.
     """
     manifest = read_manifest(folder)

@@ -13,7 +13,7 @@ def clamp(x: number, low: number, high: number) -> number:
 
 @function
 def fract(x: genType) -> genType:
-    """X - floor(x); rounding makes it 1 just below 0."""
+    """How far x lies above floor(x), x - floor(x); rounding makes it 1 just below 0."""
     return x - floor(x)
 
 

@@ -10,7 +10,7 @@ class MeshVertex(NamedTuple):
 
     clip_position: vec4  # OpenGL clip space, -w <= x, y, z <= w
     fragment_position: vec3  # world space, scene units
-    fragment_normal: vec3  # world space, not unit
+    fragment_normal: vec3  # world space (of `untransformed_vertex`: the mesh's own), not unit
     fragment_uv: vec2  # origin at the bottom left
 
 

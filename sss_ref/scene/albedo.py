@@ -13,10 +13,11 @@ from sss_ref.scene.textures import load_texture
 
 
 def albedo_of(settings: MeshSettings, mesh: Mesh, folder: Path) -> dict[str, NDArray[Any]]:
-    """The uniforms of the stage that computes the albedo, by name.
+    """The uniforms of the stage that computes the albedo, by name, as the `settings` of the mesh ask for it.
 
-    mesh_color: float32 (3,). albedo_map: float32 (H, W, 3), row 0 at the bottom. material_color: float32 (M, 3), with
-    triangle_material: int32 (T,). All linear RGB. Raises SceneError where the mesh or the picture does not allow it.
+    `mesh_color` is float32 (3,), `albedo_map` float32 (H, W, 3) with row 0 at the bottom, `material_color` float32
+    (M, 3), with `triangle_material`, int32 (T,). All are linear RGB. folder: where the picture is.
+    Raises SceneError where the mesh or the picture does not allow it.
     """
     if settings.albedo == "texture":
         if mesh.uvs is None:

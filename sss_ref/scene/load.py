@@ -48,8 +48,9 @@ class Scene:
 
 
 def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any], /, **overrides: Any) -> Scene:
-    """The scene of a file, of a shipped scene's name, or of a dictionary of the same form.
+    """A scene, checked and with every key filled, its mesh loaded and its lights fitted.
 
+    scene: a scene file, the name of a shipped scene, or a dictionary of the form that a file has.
     overrides: values that go on top of the file, by dotted key or as tables:
     load_scene("default", preset="robust", **{"camera.width": 256, "lights.0.intensity": 2.0}).
     Raises SceneError, which lists all that is wrong with the file and the overrides, and MeshError.

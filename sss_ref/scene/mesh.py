@@ -71,7 +71,7 @@ class _Part:
 
 
 def load_mesh(path: Path) -> Mesh:
-    """The mesh in an OBJ, PLY, STL, OFF, glTF or GLB file.
+    """The mesh in the OBJ, PLY, STL, OFF, glTF or GLB file at `path`.
 
     Stored normals are kept if every part has them, all finite and none 0, otherwise all normals are computed
     (rule R6); which of the two, `normals_source` and `notes` say. Raises MeshError for anything that cannot be drawn.

@@ -15,7 +15,10 @@ NEUTRAL = {  # what leaves the colour as it is, by method and by how T joins the
 
 
 def uniforms(scene: Scene) -> dict[str, Any]:
-    """Every uniform of every stage; matrices are M[row][column], vectors (N,), uniform arrays one row an element."""
+    """Every uniform of every stage of a scene, by name.
+
+    Matrices are M[row][column], vectors (N,); uniform arrays have one row an element.
+    """
     settings = scene.settings
     joined = settings.translucency.combine if settings.method == "screen_space" else settings.irradiance_map.image
     taps = np.array(settings.blur.taps, np.float32)

@@ -37,7 +37,10 @@ tr.inherits td { color: #b07a1e; }
 
 
 def write_report(report: Report, folder: Path, title: str) -> Path:
-    """Write report.html and report.json into a folder, which is made if need be; returns the page's path."""
+    """Write a report as report.html and report.json into a folder, which is made if need be; returns the page's path.
+
+    title: what was judged, for the page's heading. Raises DumpError for a folder that cannot be written.
+    """
     try:
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "report.json").write_text(json.dumps(as_json(report), indent=1) + "\n", encoding="utf-8")

@@ -49,8 +49,8 @@ def validate(
 ) -> Report:
     """Hold the buffers of another implementation against the stages, one stage at a time.
 
-    scene: what was drawn, or its rendering with all buffers. buffers: name -> array as in `Result`, row 0 at the
-    bottom: (H, W) or (H, W, C), float32, int32 or uint8; any of the method's, the more the nearer the culprit.
+    scene: what was drawn, or its rendering with all buffers. buffers: name -> array as in `Result`, (H, W) or
+    (H, W, C), row 0 at the bottom, float32, int32 or uint8; any of the method's, the more the nearer the culprit.
     stored: buffer -> what its texture holds where that is less than float32: "float16", "unorm8", "unorm16", "srgb8".
     only: bool (H, W) of the camera's size, the pixels of its buffers that are judged.
     profile: the processor that may have drawn them, by name ("ieee", "vulkan", "gl", "mediump"), as a TOML file or as a
@@ -88,7 +88,10 @@ def _within_bounds(check: Check, bounds: Bounds, how: Judgement) -> int | None:
 def assert_valid(
     scene: Scene | Result, buffers: Buffers, stored: Stored | None = None, profile: Profile | str = DEFAULT_PROFILE
 ) -> None:
-    """For tests: raise AssertionError, with the report's summary and what would explain it, unless all is right."""
+    """For tests: raise AssertionError, with the report's summary and what would explain it, unless all is right.
+
+    scene, buffers, stored, profile: as in `validate`.
+    """
     report = validate(scene, buffers, stored, profile=profile)
     assert report.passed, "\n".join([report.summary, *report.explanations])
 

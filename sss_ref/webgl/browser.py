@@ -40,7 +40,7 @@ def draw(
     options: Sequence[str] = SWIFTSHADER,
     seconds: float = 600,
 ) -> dict[str, np.ndarray]:
-    """Draw a scene in Chromium: the buffers of its method by name, row 0 at the bottom.
+    """Draw a scene in Chromium: the buffers of its method by name, (H, W) or (H, W, C), row 0 at the bottom.
 
     keep: which buffers, as `page` takes it. seconds: how long it may take.
     options: for its command line; those given here draw on the processor.

@@ -39,6 +39,8 @@ def test_without_widgets_the_first_picture_is_shown():
     bundle = figures.Sliders(gray, level=(0.0, 1.0, 1.0))._repr_mimebundle_()
     assert "application/vnd.jupyter.widget-view+json" in bundle
     assert middle(base64.b64decode(bundle["image/png"])) == (255, 255, 255)
+    assert bundle["image/png"] in bundle["text/html"]
+    assert "with sliders for level." in bundle["text/html"]
 
 
 def test_no_figure_stays_open_behind_the_sliders():

@@ -17,7 +17,10 @@ CHOICES = {"min": "y < x ? y : x", "max": "x < y ? y : x"}  # rule A1
 
 
 def stage_source(stage: Stage, lengths: Mapping[str, int], dialect: Dialect = GLSL) -> str:
-    """One stage as a function, with all that it uses before it; lengths: see `Library.stage`."""
+    """One stage as a function of a shader, with all that it uses before it.
+
+    lengths: uniform array -> its length, see `array_lengths`. dialect: one of `DIALECTS`.
+    """
     library = Library(dialect)
     library.stage(stage, lengths)
     return library.text

@@ -28,7 +28,10 @@ def draws(one: Pass, wanted: Collection[str], most: int = GLSL.most_outputs) -> 
 
 
 def shader_files(method: Method, lengths: Mapping[str, int], dialect: Dialect = GLSL) -> dict[str, str]:
-    """All shaders of a method: file name (PASS.vert, and DRAW.frag for each of its draws) -> source."""
+    """All shaders of a method: file name (PASS.vert, and DRAW.frag for each of its draws) -> source.
+
+    lengths: uniform array -> its length, see `array_lengths`. dialect: one of `DIALECTS`.
+    """
     files: dict[str, str] = {}
     there: set[str] = set()
     for one in method.passes:
@@ -40,7 +43,7 @@ def shader_files(method: Method, lengths: Mapping[str, int], dialect: Dialect = 
 
 
 def array_lengths(uniforms: Mapping[str, Any]) -> dict[str, int]:
-    """Uniform array -> its length, of those short enough to be arrays of a shader; longer ones become textures."""
+    """The lengths of those arrays among `uniforms` that are short enough for a shader; longer ones become textures."""
     return {name: len(value) for name, value in uniforms.items() if np.ndim(value) and len(value) <= LONGEST_ARRAY}
 
 

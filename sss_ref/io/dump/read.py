@@ -62,8 +62,9 @@ class Dump:
 
 
 def read_dump(path: Path, scene: Scene, origin: Origin | None = None) -> Dump:
-    """The buffers of a mapping file, or of a folder with a file named after each.
+    """The buffers of a dump, brought into the form that a rendering of the scene has.
 
+    path: a mapping file, or a folder with a file named after each buffer. scene: what was drawn.
     origin: "top" or "bottom", the row that files begin with of which the mapping does not say it; None: bottom for NPY,
     top for pictures.
 

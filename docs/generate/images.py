@@ -1,0 +1,98 @@
+"""The pictures of the README and of the site's first page, all made by the code.
+
+python docs/generate/images.py                # needs the extra `docs`; writes into docs/images
+"""
+
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+from PIL import Image
+
+import sss_ref
+from sss_ref.io.overview import write_overview
+from sss_ref.io.png import encoding_of, write_png
+from sss_ref.samples import render_samples
+from sss_ref.scene.kernels import TABLE1
+
+ROOT = Path(__file__).parents[2]
+IMAGES = ROOT / "docs" / "images"
+SIDE = 512
+GALLERY = ("figure3_with", "teeth_backlit", "figure4_glass", "figure5")
+
+sys.path.insert(0, str(ROOT / "notebooks"))
+
+
+def scene(name: str, **overrides: float) -> sss_ref.Scene:
+    """A shipped scene, 512 x 512."""
+    return sss_ref.load_scene(name, **{"camera.width": SIDE, "camera.height": SIDE}, **overrides)
+
+
+def poster(path: Path) -> None:
+    """The default scene with smooth edges, on nothing."""
+    result = render_samples(scene("default"), 4)
+    write_png(path, result.foreground, result.coverage)
+
+
+def overview(path: Path) -> None:
+    """Every stage of a picture, the sheet at half its size."""
+    with TemporaryDirectory() as folder:
+        whole = Path(folder, "overview.png")
+        write_overview(whole, sss_ref.render(scene("figure3_with")))
+        sheet = Image.open(whole)
+        sheet.reduce(2).save(path, quality=85)
+
+
+def validation(path: Path) -> None:
+    """A fault that no eye sees, and the pixels where `validate` finds it."""
+    import figures
+
+    right = sss_ref.render(scene("figure3_with"))
+    wrong = sss_ref.render(scene("figure3_with", **{"translucency.exponent": 0.601}))
+    finding = sss_ref.validate(right, dict(wrong.buffers)).finding
+    assert finding is not None
+    check = finding.check
+    apart = np.abs(check.got.astype(np.float64) - check.expected)
+    outside = check.where & (apart > check.reach)
+    figure, axes = figures.row(3, height=3.0, width=3.1)
+    figures.picture(axes[0], right.image, "exponent 0.6: the reference")
+    figures.picture(axes[1], wrong.image, "exponent 0.601: a shader's mistake")
+    times = apart / np.maximum(check.reach, 1e-12)
+    figures.values(axes[2], times, "translucency, out of reach", "times what is allowed", outside)
+    path.write_bytes(figures.png_of(figure))
+
+
+def gallery(path: Path) -> None:
+    """Four of the shipped scenes beside each other."""
+    strip = Image.new("RGB", (len(GALLERY) * SIDE // 2, SIDE // 2))
+    for place, name in enumerate(GALLERY):
+        shown = scene(name)
+        codes = encoding_of(shown.settings)(render_samples(shown, 2).image)
+        strip.paste(Image.fromarray(codes[::-1]).reduce(2), (place * SIDE // 2, 0))
+    strip.save(path, optimize=True)
+
+
+def kernel(path: Path) -> None:
+    """The paper's Table 1 as notebook 4 draws it."""
+    import figures
+
+    taps = np.array(TABLE1)
+    figure, axes = figures.row(3, height=3.0)
+    for panel, channel, name in zip(axes, range(3), ("red", "green", "blue"), strict=True):
+        figures.taps(panel, taps[:, :2], taps[:, 2 + channel], name, figures.CHANNELS[channel])
+    path.write_bytes(figures.png_of(figure))
+
+
+PICTURES = {
+    "poster.png": poster,
+    "overview.jpg": overview,
+    "validation.png": validation,
+    "gallery.png": gallery,
+    "kernel.png": kernel,
+}
+
+
+if __name__ == "__main__":
+    for name, draw in PICTURES.items():
+        draw(IMAGES / name)

@@ -1,0 +1,101 @@
+"""The README does what it says: every command and every program in it is run, and prints what is shown below it."""
+
+import inspect
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from sss_ref.cli import main
+from sss_ref.errors import ShaderError
+from sss_ref.gl.context import open_context
+from sss_ref.passes.shadow_map import back_point
+
+ROOT = Path(__file__).parents[1]
+README = (ROOT / "README.md").read_text()
+INSTALLING = ("python -m pip",)  # .ci/run does it
+LARGEST_PICTURE = 250_000  # bytes
+
+sys.path.insert(0, str(ROOT / "docs" / "generate"))
+
+import images  # noqa: E402
+
+
+def blocks():
+    """Language, source and what is shown to come of it, "" for nothing, in the order of the page."""
+    found = re.findall(r"^```(\w+)\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
+    following = [*found[1:], ("", "")]
+    for (language, source), (next_language, shown) in zip(found, following, strict=True):
+        if language != "text":
+            yield language, source, shown if next_language == "text" else ""
+
+
+def draws_glsl():
+    try:
+        open_context().release()
+    except ShaderError:
+        return False
+    return True
+
+
+def run(line, failing):
+    """One line of a shell block; `failing`: whether it is shown to find a fault."""
+    command = line.partition("#")[0].strip()
+    if command.startswith("sss-ref ") and ("--run-glsl" not in command or draws_glsl()):
+        assert main(shlex.split(command)[1:]) == (1 if failing and " validate " in command else 0), command
+    elif not command.startswith(("sss-ref ", *INSTALLING)):
+        subprocess.run(command, shell=True, check=True)
+
+
+def told(text):
+    return " ".join(text.split())
+
+
+def test_everything_runs_and_prints_what_is_shown(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("EGL_PLATFORM", "surfaceless")
+    monkeypatch.setenv("LIBGL_ALWAYS_SOFTWARE", "1")
+    for language, source, shown in blocks():
+        if language == "sh":
+            for line in source.splitlines():
+                run(line, shown.startswith("fail: "))
+        elif "import sss_ref" in source:
+            exec(source, {})
+        printed = told(capsys.readouterr().out)
+        for line in shown.splitlines():
+            assert told(line.removesuffix(" ...")) in printed
+
+
+def test_there_is_something_of_each_kind():
+    found = list(blocks())
+    assert [language for language, source, _ in found if "import sss_ref" in source] == ["python"]
+    assert sum(source.count("sss-ref ") for language, source, _ in found if language == "sh") >= 10
+    assert sum(bool(shown) for _, _, shown in found) == 3
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/index.md"])
+def test_the_stage_that_is_shown_is_the_one_that_runs(page):
+    (shown,) = re.findall(r"```python\n(@stage.*?)```", (ROOT / page).read_text(), re.DOTALL)
+    assert shown == inspect.getsource(back_point.python)
+
+
+def test_every_picture_is_small_and_made_by_the_code():
+    linked = {Path(link).name for link in re.findall(r"\]\(docs/images/(\S+)\)", README)}
+    assert linked == set(images.PICTURES) == {path.name for path in images.IMAGES.iterdir()}
+    assert not {path.name for path in images.IMAGES.iterdir() if path.stat().st_size > LARGEST_PICTURE}
+
+
+def test_the_poster_is_drawn_again_to_the_bit(tmp_path):
+    images.poster(tmp_path / "poster.png")
+    again, kept = (np.asarray(Image.open(folder / "poster.png")) for folder in (tmp_path, images.IMAGES))
+    assert np.array_equal(again, kept)
+
+
+def test_every_link_leads_somewhere():
+    links = [link for link in re.findall(r"\]\(([^)\s]+)\)", README) if ":" not in link]
+    assert links and all((ROOT / link).exists() for link in links)
