@@ -2,8 +2,9 @@
 
     python benchmarks/mutants.py figure3_with figure5 figure4_wax --size 96
 
-A mutant is a stage with one place changed (sss_ref.validation.mutants). Printed are the survivors, and how many were
-found at the right stage, elsewhere, or not at all; mutants that draw the same bits as the right stage count apart.
+A mutant is a stage with one place changed (sss_ref.validation.mutants). Registers are drawn too, so that each stage
+gives something that can be judged. Printed are the survivors, and how many were found at the right stage, elsewhere, or
+not at all; mutants that draw the same bits as the right stage count apart.
 """
 
 import argparse
@@ -14,8 +15,12 @@ from dataclasses import replace
 import sss_ref
 from sss_ref.errors import ShaderError
 from sss_ref.gl import draw
+from sss_ref.language import Stage
+from sss_ref.language.pipeline import REGISTERS
 from sss_ref.methods.catalogue import method_of
 from sss_ref.validation.mutants import mutants
+
+KEPT = ("all", REGISTERS)
 
 
 def main() -> None:
@@ -25,6 +30,7 @@ def main() -> None:
     parser.add_argument("--size", type=int, default=96)
     parser.add_argument("--every", type=int, default=1, help="only every n-th mutant")
     parser.add_argument("--profile", default="vulkan")
+    parser.add_argument("--set", nargs="*", default=[], metavar="KEY=TEXT", help="preset=published and the like")
     options = parser.parse_args()
     counts: Counter[str] = Counter()
     start = time.perf_counter()
@@ -42,10 +48,13 @@ def judged_scene(name: str, options: argparse.Namespace) -> Counter[str]:
     """Outcome -> how many mutants of a scene had it."""
     tables = ("camera", "shadow_map", "irradiance_map")
     small = {f"{table}.{side}": options.size for table in tables for side in ("width", "height")}
-    scene = sss_ref.load_scene(name, **small)
-    oracle, right = sss_ref.render(scene), draw(scene)
+    scene = sss_ref.load_scene(name, **small, **dict(each.split("=", 1) for each in options.set))
+    oracle, right = sss_ref.render(scene), draw(scene, keep=KEPT)
     stages = {
-        stage.name: stage for one in method_of(scene.settings).passes for stage in one.stages if not one.on_demand
+        stage.name: unbound(stage)
+        for one in method_of(scene.settings).passes
+        for stage in one.stages
+        if not one.on_demand
     }
     counts: Counter[str] = Counter()
     for stage in stages.values():
@@ -59,10 +68,15 @@ def judged_scene(name: str, options: argparse.Namespace) -> Counter[str]:
     return counts
 
 
+def unbound(stage: Stage) -> Stage:
+    """A stage as it was defined, so that it can be bound wherever its name stands."""
+    return replace(stage, reads={own: own for own in stage.reads}, writes={own: own for own in stage.writes})
+
+
 def judged(scene, oracle, right, stage: str, options: argparse.Namespace) -> str:
     """What becomes of one mutant."""
     try:
-        drawn = draw(scene)
+        drawn = draw(scene, keep=KEPT)
     except ShaderError:
         return "refused by the compiler"
     if all(drawn[name].tobytes() == buffer.tobytes() for name, buffer in right.items()):
@@ -70,16 +84,9 @@ def judged(scene, oracle, right, stage: str, options: argparse.Namespace) -> str
     verdict = sss_ref.validate(oracle, drawn, profile=options.profile, explain=False)
     if verdict.passed:
         return "not found"
-    if verdict.culprit.stage == stage or handed_on(scene, verdict.culprit, stage):
+    if verdict.culprit.stage == stage:
         return "found at its stage"
     return f"found at {verdict.culprit.stage}"
-
-
-def handed_on(scene, culprit, stage: str) -> bool:
-    """Whether the stage writes nothing in the culprit's pass that could be dumped: then the next one is blamed."""
-    (one,) = (each for each in method_of(scene.settings).passes if each.name == culprit.pass_name)
-    own = [each for each in one.stages if each.name == stage]
-    return bool(own) and not set(own[0].writes.values()) & set(one.outputs)
 
 
 if __name__ == "__main__":

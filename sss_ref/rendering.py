@@ -16,6 +16,7 @@ from sss_ref.interpret.finite import require_finite
 from sss_ref.interpret.work import CHANNELS, Fragments, Work, dtype_of, shape_of
 from sss_ref.language.pipeline import MeshDraw, Method, Pass, ScreenDraw
 from sss_ref.methods.catalogue import method_of_scene
+from sss_ref.methods.until import buffers_kept
 from sss_ref.passes.buffers import background
 from sss_ref.raster.primitives import Primitives, assemble
 from sss_ref.raster.rasterize import visibility
@@ -42,8 +43,8 @@ def render(
     scene: what `load_scene` gives.
     interpreter: "kernel" (compiled) or "arrays" (NumPy); the bits are the same.
     threads: how many share the work (None: as many as there are processors); the bits are the same.
-    keep: "all" buffers, the "final" image, or a list of names; only what is kept is written. The name "taps" stands for
-        the single taps of the blur, tap_00, tap_01 and so on, which "all" leaves out.
+    keep: what is written, a name or several (see `buffers_kept`): "all" buffers, the "final" image, "taps",
+        "registers", or buffers one by one.
     on_pass: called with the name of each pass before it runs.
     subpixel_bits: of the snap (rule R2), 0 to 8; 8, the default, are the rules' bits, others for comparing with a GPU.
     Raises SceneError for an unknown interpreter or buffer or bits out of range, RenderError where a stage gives NaN
@@ -53,13 +54,13 @@ def render(
         raise SceneError(f"interpreter: expected one of {', '.join(INTERPRETERS)}, got {interpreter!r}")
     method = method_of_scene(scene)
     with _pool(threads) as pool:
-        rendering = Rendering(scene, INTERPRETERS[interpreter], pool, _kept(method, keep), subpixel_bits)
+        rendering = Rendering(scene, INTERPRETERS[interpreter], pool, buffers_kept(method, keep), subpixel_bits)
         needed = method.only(rendering.kept)
         for one in needed.passes:
             if on_pass:
                 on_pass(one.name)
             rendering.run(one, _needed_after(needed, one))
-    buffers = {name: rendering.buffers[name] for one in method.passes for name in one.outputs if name in rendering.kept}
+    buffers = {name: rendering.buffers[name] for name in method.values if name in rendering.kept}
     return Result(scene, buffers, rendering.timings, notes=tuple(rendering.notes))
 
 
@@ -71,16 +72,6 @@ def _pool(threads: int | None) -> Iterator[Executor | None]:
         return
     with ThreadPoolExecutor(count) as pool:
         yield pool
-
-
-def _kept(method: Method, keep: str | Iterable[str]) -> set[str]:
-    """The names of the buffers to keep; raises SceneError for one the method does not have."""
-    named = {"all": list(method.outputs), "final": ["image"]}.get(keep, [keep]) if isinstance(keep, str) else list(keep)
-    known = {name: [name] for one in method.passes for name in one.outputs} | method.on_demand
-    for wrong in (name for name in named if name not in known):
-        listed = ", ".join([*method.outputs, *method.on_demand])
-        raise SceneError(f'keep: expected "all", "final" or names of buffers ({listed}), got {wrong!r}')
-    return {buffer for name in named for buffer in known[name]}
 
 
 def _needed_after(method: Method, one: Pass) -> set[str]:
@@ -108,7 +99,7 @@ class Rendering:
     def run(self, one: Pass, needed_later: set[str]) -> None:
         """Run a pass: rasterize if it draws the mesh, then its stages; keep what is wanted of its buffers."""
         start = time.perf_counter()
-        wanted = [name for name in one.outputs if name in self.kept | needed_later]
+        wanted = [name for name in one.values if name in self.kept | needed_later]
         fragments, written = self.draw(one)
         fresh = [name for name in wanted if name not in written]
         outputs = {own: self.buffers[name] for name, own in one.feedback.items()}
@@ -124,7 +115,7 @@ class Rendering:
         self, one: Pass, fragments: Fragments, buffers: Mapping[str, np.ndarray], names: list[str], check: bool = True
     ) -> dict[str, np.ndarray]:
         """Run the stages of a pass once; the named outputs. check: raise RenderError where one is not finite."""
-        kinds, size = one.outputs, (fragments.width, fragments.height)
+        kinds, size = one.values, (fragments.width, fragments.height)
         outputs = {name: np.empty(shape_of(kinds[name], *size), dtype_of(kinds[name])) for name in names}
         backgrounds = {name: self.background(name, kinds[name]) for name in names}
         work = Work(one, fragments, self.uniforms, buffers, outputs, backgrounds)
@@ -145,16 +136,22 @@ class Rendering:
             stencil = self.buffers[one.draw.stencil] if one.draw.stencil else None
             return Fragments(width, height, stencil=stencil), {}
         varyings, columns = varying_columns(one)
-        given = self.uniforms | self.buffers
-        clip_position, attributes = self.interpreter.run_vertices(
-            one, self.scene.mesh.attributes, given, varyings, columns
-        )
-        viewport = Viewport(width, height, self.subpixel_bits)
+        clip_position, attributes = self.vertices(one, varyings, columns)
+        viewport = self.viewport(one)
         primitives = assemble(clip_position, attributes, self.scene.mesh.triangles, viewport)
         piece, depth = visibility(primitives, viewport, self.pool)
         if one.draw.layout:
             piece = self.layout(primitives, viewport, piece)
         return Fragments(width, height, primitives, piece, viewport.step, varyings), {one.draw.depth: depth}
+
+    def viewport(self, one: Pass) -> Viewport:
+        """The picture that a pass draws into."""
+        return Viewport(*self.size(one), self.subpixel_bits)
+
+    def vertices(self, one: Pass, varyings: Mapping[str, int], columns: int) -> tuple[np.ndarray, np.ndarray]:
+        """What the vertex stage of a pass gives: clip positions float32 (V, 4), and varyings, (V, columns)."""
+        given = self.uniforms | self.buffers
+        return self.interpreter.run_vertices(one, self.scene.mesh.attributes, given, varyings, columns)
 
     def layout(self, primitives: Primitives, viewport: Viewport, first: np.ndarray) -> np.ndarray:
         """The piece of each texel of a UV layout, by the scene's policy for texels that several triangles cover."""

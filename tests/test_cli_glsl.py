@@ -40,6 +40,14 @@ def test_the_shaders_of_all_passes_are_written(tmp_path, capsys):
     assert "irradiance_fill.frag, " in capsys.readouterr().out
 
 
+def test_shaders_write_registers_if_asked(tmp_path, capsys):
+    assert main(["glsl", "--scene", "figure4_wax", "--registers", "-o", str(tmp_path)]) == 0
+    assert "out_exact_lit = exact_lit;" in "".join(path.read_text() for path in tmp_path.glob("camera_*.frag"))
+    assert main(["glsl", "--scene", "figure4_wax", "--all"]) == 0
+    printed = capsys.readouterr().out
+    assert "exact_lit" in printed and "out_exact_lit" not in printed
+
+
 def test_the_shaders_of_all_passes_are_printed(capsys):
     assert main(["glsl", "--scene", "wedge", "--all"]) == 0
     scene = load_scene("wedge")

@@ -11,6 +11,7 @@ from scenes import LIGHT, around, sphere, written
 import sss_ref
 from sss_ref.errors import DumpError, SceneError
 from sss_ref.interpret.shader import array_lengths, stage_source
+from sss_ref.io.dump.read import read_dump
 from sss_ref.io.verify import verify
 from sss_ref.language import dot, max, normalize, stage, vec3
 from sss_ref.language.types import components
@@ -101,6 +102,24 @@ def test_in_the_irradiance_map_it_reads_the_texels_own_values(tmp_path):
         light = result[f"irradiance_{number}"]
         drawn = result["irradiance_mask"] != 0
         assert 0.9 * color < light[drawn][:, 2].max() <= color and light[drawn].min() == 0
+
+
+def test_what_it_writes_can_be_dumped_and_judged(example, body, tmp_path):
+    scene = own_scene(example, body)
+    result = sss_ref.render(scene, interpreter="arrays")
+    dump = read_dump(result.save(tmp_path / "out"), scene)
+    assert list(dump.buffers) == list(result.buffers) and not dump.notes
+    buffers = {name: one.data for name, one in dump.buffers.items()}
+    assert sss_ref.validate(result, buffers).passed
+    other = sss_ref.with_stage(
+        sss_ref.load_scene(around(body, 40, preset="robust")),
+        "lit_transmit",
+        example.lit_absorbed,
+        extinction=(0.5, 1.0, 4.1),
+    )
+    wrong = sss_ref.render(other, interpreter="arrays")
+    found = sss_ref.validate(result, dict(wrong.buffers), explain=False)
+    assert found.culprit.suspects == ("camera/lit_absorbed",) and found.culprit.buffer in ("lit", "transmittance")
 
 
 @stage(source="test")

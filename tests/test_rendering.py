@@ -52,7 +52,7 @@ def test_an_unknown_buffer_is_an_error_that_lists_the_known(scene, keep):
         render(scene, keep=keep)
     listed = 'expected "all", "final" or names of buffers (light_triangle, light_depth, light_distance, triangle, '
     assert str(caught.value).startswith(f"keep: {listed}")
-    assert str(caught.value).endswith(f", scattered, image, taps), got {wrong!r}")
+    assert str(caught.value).endswith(f", scattered, image, taps, registers), got {wrong!r}")
 
 
 def test_an_unknown_interpreter_is_an_error_that_lists_the_known(scene):

@@ -18,7 +18,7 @@ import sss_ref
 import sss_ref.passes
 from sss_ref.language.stage import Stage
 from sss_ref.methods.catalogue import METHODS, method_of
-from sss_ref.passes.buffers import BUFFERS, described
+from sss_ref.passes.buffers import BUFFERS, described, entry_of
 from sss_ref.scene import settings, viewpoints
 from sss_ref.scene.presets import FIXED, ONLY_PUBLISHED
 
@@ -192,7 +192,7 @@ def all_methods():
     for values in product(*choices.values()):
         yield method_of(settings_with(dict(zip(choices, values, strict=True))))
     for method in METHODS:
-        yield method_of(settings_with({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * 2}))
+        yield method_of(settings_with({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * 3}))
         yield method_of(settings_with({"method": method, "preset": "published"}))
 
 
@@ -204,15 +204,18 @@ def alternatives(table, key):
 
 def test_every_buffer_is_listed_every_listed_one_written_and_every_stage_used():
     methods = list(all_methods())
-    written = {name for method in methods for one in method.passes for name in one.outputs}
-    written -= {name for name in written if re.fullmatch(".+_[12]", name)}  # of two lights
-    single_taps = {name for name in written if re.fullmatch("tap_[0-9]{2}", name)}
-    assert len(single_taps) == 13
-    assert written - single_taps | {"tap"} == set(BUFFERS)
-    assert all(described(name) is BUFFERS[name if name in BUFFERS else "tap"] for name in written)
+    written = {name for method in methods for name in method.values}
+    assert len({name for name in written if re.fullmatch("tap_[0-9]{2}", name)}) == 13
+    assert {entry_of(name) for name in written} == set(BUFFERS)
+    assert all(described(name) is BUFFERS[entry_of(name)] for name in written)
     used = {stage.name for method in methods for one in method.passes for stage in one.stages}
     vertex = {one.draw.vertex.name for method in methods for one in method.passes if hasattr(one.draw, "vertex")}
     assert used | vertex == set(STAGES)
+
+
+def test_what_two_passes_compute_has_two_names():
+    for method in all_methods():
+        assert len(method.values) == sum(len(one.values) for one in method.passes)
 
 
 def test_every_pass_reads_only_what_is_there_before_it():

@@ -93,7 +93,7 @@ def _table_of_passes(result: "Result") -> Table:
     table = Table("pass", "ms", "buffer", "sha256")
     table.columns[1].justify = "right"
     for one in method_of_scene(result.scene).passes:
-        kept = [name for name in one.outputs if name in result.hashes]
+        kept = [name for name in one.values if name in result.hashes]
         digests = [result.hashes[name][:HASH_DIGITS] for name in kept]
         if one.name in result.timings:
             table.add_row(one.name, f"{result.timings[one.name] * 1e3:.0f}", "\n".join(kept), "\n".join(digests))

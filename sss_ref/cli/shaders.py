@@ -27,6 +27,9 @@ def glsl(
     dialect: Annotated[
         Literal["glsl", "essl", "hlsl"], Parameter(help="Of OpenGL, of WebGL 2 and OpenGL ES 3, or of Direct3D.")
     ] = "glsl",
+    registers: Annotated[
+        bool, Parameter(negative="", help="Let the shaders also write what no buffer holds, so that it can be judged.")
+    ] = False,
     changes: Changes = NO_CHANGES,
 ) -> int:
     """Print a stage of a scene as a shader, or complete shaders for all passes, or list passes and stages."""
@@ -37,7 +40,7 @@ def glsl(
 
     loaded = load_scene(scene, **changes.overrides())
     method, lengths = method_of(loaded.settings), array_lengths(uniforms(loaded))
-    files = shader_files(method, lengths, DIALECTS[dialect]) if all or output else {}
+    files = shader_files(method, lengths, DIALECTS[dialect], registers) if all or output else {}
     if output is not None:
         _write(output, files)
         out.print(f"{output}: {', '.join(files)}", markup=False)

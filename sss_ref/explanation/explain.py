@@ -1,7 +1,7 @@
 """Collects what made one pixel, from the triangle it shows to its final colour."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -10,7 +10,7 @@ from sss_ref.errors import SceneError
 from sss_ref.explanation.places import Place, place_of
 from sss_ref.interpret import arrays
 from sss_ref.interpret.arrays import draw_values, stage_input
-from sss_ref.interpret.trace import Step, scalar, trace
+from sss_ref.interpret.trace import Bounds, Step, scalar, trace
 from sss_ref.interpret.work import Fragments, Work, uniform_value
 from sss_ref.language.pipeline import MESH_ATTRIBUTES, MeshDraw, Pass
 from sss_ref.language.stage import Stage
@@ -27,6 +27,7 @@ class StageTrace:
     """A stage at one fragment or vertex.
 
     reads: name -> value, textures and uniform arrays included. writes: name -> value. at: which vertex, or "".
+    bounds: name -> what a value that is read may be at least and at most on another processor, if that was asked for.
     """
 
     stage: Stage
@@ -34,6 +35,7 @@ class StageTrace:
     steps: tuple[Step, ...]
     writes: Mapping[str, Any]
     at: str = ""
+    bounds: Mapping[str, Bounds | None] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,7 @@ STYLE = """
 .sss-explanation tr[class] td.unit { font-family: inherit; opacity: 0.65; }
 </style>
 """
+HEADING = "<thead><tr><th></th><th>value</th><th>may be</th><th>bits</th><th></th><th></th></tr></thead>"
 
 
 def html(sections: list[Section]) -> str:
@@ -34,12 +35,14 @@ def _section(section: Section) -> str:
     note = f'<span class="note">{escape(section.note)}</span>'
     if section.level == 1:
         return f"<h3>{escape(section.title)}</h3>{note}"
-    rows = "".join(map(_row, section.rows))
+    heading = HEADING if section.has_bounds else ""
+    rows = "".join(_row(row, section.has_bounds) for row in section.rows)
     head = f"<summary><b>{escape(section.title)}</b> {note}</summary>"
-    return f"<details open>{head}<table>{rows}</table></details>"
+    return f"<details open>{head}<table>{heading}{rows}</table></details>"
 
 
-def _row(row: Row) -> str:
+def _row(row: Row, has_bounds: bool) -> str:
     text = "    " * row.depth + row.text
-    cells = ("", text), ("", row.value), ("bits", row.bits), ("unit", row.unit), ("glsl", row.glsl)
+    may_be = [("may-be", row.may_be)] if has_bounds else []
+    cells = ("", text), ("", row.value), *may_be, ("bits", row.bits), ("unit", row.unit), ("glsl", row.glsl)
     return f'<tr class="{row.kind}">{"".join(f"<td class={name!r}>{escape(cell)}</td>" for name, cell in cells)}</tr>'

@@ -8,8 +8,8 @@ from typing import Any
 from sss_ref.errors import SceneError
 from sss_ref.explanation.explain import Drawn, Explanation, PassTrace, StageTrace
 from sss_ref.explanation.shader_lines import Translate, glsl_lines
-from sss_ref.explanation.values import bits, shown
-from sss_ref.interpret.trace import Step
+from sss_ref.explanation.values import between, bits, shown
+from sss_ref.interpret.trace import Bounds, Step
 from sss_ref.language.pipeline import MESH_ATTRIBUTES
 from sss_ref.language.types import mat3, mat4, vec3, vec4
 from sss_ref.passes.buffers import described, is_listed
@@ -17,7 +17,11 @@ from sss_ref.passes.buffers import described, is_listed
 
 @dataclass(frozen=True)
 class Row:
-    """A line of a table. depth: how far it is indented; kind: "read", "line", "call" or "turn"; glsl: in GLSL."""
+    """A line of a table.
+
+    depth: how far it is indented. kind: "read", "line", "call", "turn" or "got". glsl: in GLSL. bounds: what the value
+    may be at least and at most on another processor; None where that was not asked for.
+    """
 
     kind: str
     depth: int
@@ -26,6 +30,12 @@ class Row:
     bits: str = ""
     unit: str = ""
     glsl: str = ""
+    bounds: Bounds | None = None
+
+    @property
+    def may_be(self) -> str:
+        """The bounds as text."""
+        return between(self.bounds) if self.bounds else ""
 
 
 @dataclass(frozen=True)
@@ -44,6 +54,11 @@ class Section:
     title: str
     note: str
     rows: list[Row] = field(default_factory=list)
+
+    @property
+    def has_bounds(self) -> bool:
+        """Whether it was asked what the values may be on another processor."""
+        return any(row.bounds for row in self.rows)
 
 
 def sections(explanation: Explanation, stage: str | None = None, depth: int = 1, glsl: bool = False) -> list[Section]:
@@ -84,8 +99,8 @@ def _of_draw(drawn: Drawn) -> Section:
     total = sum(float(corner.weight) for corner in drawn.corners)
     for corner in drawn.corners:
         share = f"{float(corner.weight) / total:.1%} of the three"
-        section.rows.append(_row("read", f"weight of corner {corner.vertex}", corner.weight, unit=share))
-    section.rows += [_row("line", name, value) for name, value in drawn.values.items()]
+        section.rows.append(row_of("read", f"weight of corner {corner.vertex}", corner.weight, unit=share))
+    section.rows += [row_of("line", name, value) for name, value in drawn.values.items()]
     return section
 
 
@@ -94,18 +109,19 @@ def section_of(traced: StageTrace, detail: Detail, told: Collection[str] = ()) -
     about = inspect.getdoc(traced.stage.python) or ""
     where = f" at {traced.at}" if traced.at else ""
     section = Section(2, traced.stage.name + where, f"{traced.stage.source}. {about.splitlines()[0]}")
-    section.rows += [row for name, value in traced.reads.items() if name not in told for row in _of_read(name, value)]
+    for name, value in traced.reads.items():
+        section.rows += _of_read(name, value, traced.bounds.get(name)) if name not in told else ()
     units = {name: described(name).unit for name in traced.writes if is_listed(name)}
     glsl = glsl_lines(traced) if detail.glsl else lambda step: ""
     section.rows += [row for step in traced.steps for row in _of_step(step, 0, detail.depth, units, glsl)]
     return section
 
 
-def _of_read(name: str, value: Any) -> Iterator[Row]:
+def _of_read(name: str, value: Any, bounds: Bounds | None) -> Iterator[Row]:
     """A value that a stage reads; matrices row by row."""
-    yield _row("read", name, value)
+    yield replace(row_of("read", name, value), bounds=bounds)
     if isinstance(value, mat3 | mat4):
-        yield from (_row("read", f"row {k}", (vec3, vec4)[len(row) - 3](*row), 1) for k, row in enumerate(value.rows))
+        yield from (row_of("read", f"row {k}", (vec3, vec4)[len(row) - 3](*row), 1) for k, row in enumerate(value.rows))
 
 
 def _of_step(step: Step, indent: int, depth: int, units: Mapping[str, str], glsl: Translate) -> Iterator[Row]:
@@ -115,8 +131,8 @@ def _of_step(step: Step, indent: int, depth: int, units: Mapping[str, str], glsl
     if step.text == step.name:
         return  # a value returned under the name it has
     text = f"{step.name} = {step.text}" if step.name else step.text
-    row = Row(kind, indent, text) if is_loop else _row(kind, text, step.value, indent, units.get(step.name, ""))
-    yield replace(row, glsl=glsl(step))
+    row = Row(kind, indent, text) if is_loop else row_of(kind, text, step.value, indent, units.get(step.name, ""))
+    yield replace(row, glsl=glsl(step), bounds=step.bounds)
     left = depth - (kind == "call")
     for inner in step.inner if left > 0 or is_loop else ():
         if inner.source is step.source:  # the whole line is one call, which gives what the line gives
@@ -126,5 +142,6 @@ def _of_step(step: Step, indent: int, depth: int, units: Mapping[str, str], glsl
             yield from _of_step(inner, indent + 1, left, units, glsl)
 
 
-def _row(kind: str, text: str, value: Any, indent: int = 0, unit: str = "") -> Row:
+def row_of(kind: str, text: str, value: Any, indent: int = 0, unit: str = "") -> Row:
+    """A row for a value of the language."""
     return Row(kind, indent, text, shown(value), bits(value), unit)

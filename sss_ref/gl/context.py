@@ -25,3 +25,12 @@ def open_context() -> "Context":
         return moderngl.create_context(require=400, standalone=True, **backend)
     except Exception as error:  # what it raises differs between the platforms
         raise ShaderError(f"gl: expected OpenGL 4.0, got {error}; without a GPU install {MESA} (Debian)") from None
+
+
+def device_name() -> str:
+    """What draws here, in its own words: renderer and version. Raises ShaderError as `open_context` does."""
+    context = open_context()
+    try:
+        return f"{context.info['GL_RENDERER']}, OpenGL {context.info['GL_VERSION']}"
+    finally:
+        context.release()

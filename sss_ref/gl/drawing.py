@@ -1,6 +1,6 @@
 """Drawing a scene: the passes of its method, folded over a dictionary of textures."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -13,6 +13,7 @@ from sss_ref.gl.shaders import Files, ShaderPair, own_shaders, user_shaders
 from sss_ref.gl.textures import downloaded, filled
 from sss_ref.language.pipeline import MeshDraw, Method, Pass
 from sss_ref.methods.catalogue import method_of_scene
+from sss_ref.methods.until import buffers_kept
 from sss_ref.passes.buffers import background
 from sss_ref.scene.load import Scene
 from sss_ref.scene.uniforms import uniforms
@@ -21,22 +22,27 @@ if TYPE_CHECKING:
     from moderngl import Program, Texture
 
 
-def draw(scene: Scene, shaders: Mapping[str, Files] | None = None) -> dict[str, np.ndarray]:
-    """Draw a scene on this machine's OpenGL: every buffer of its method by name.
+def draw(
+    scene: Scene, shaders: Mapping[str, Files] | None = None, keep: str | Iterable[str] = "all"
+) -> dict[str, np.ndarray]:
+    """Draw a scene on this machine's OpenGL: buffers of its method by name.
 
     The buffers are (H, W) or (H, W, C), row 0 at the bottom, as those of a rendering. A UV layout that overlaps is
     drawn even where the scene's policy is "error": OpenGL does not tell.
     shaders: pass -> the user's file or files (see `user_shaders`), drawn in the place of ours. What the rasterizer
         writes (triangle, depth, coverage) ours draw if theirs do not; whatever else theirs leave out is missing.
-    Raises ShaderError where there is no OpenGL, a shader does not compile, or a pass reads what a shader left out.
+    keep: which buffers come back, as in `sss_ref.render`; passes on demand are drawn for them alone.
+    Raises ShaderError where there is no OpenGL, a shader does not compile, or a pass reads what a shader left out, and
+    SceneError for an unknown buffer.
     """
     method = method_of_scene(scene)
-    passes = {one.name: one for one in method.passes if not one.on_demand}
+    kept = buffers_kept(method, keep)
+    passes = {one.name: one for one in method.passes if not one.on_demand or kept & set(one.outputs)}
     for wrong in set(shaders or ()) - set(passes):
         raise ShaderError(f"shaders: expected passes of {method.name} ({', '.join(passes)}), got {wrong!r}")
     context = open_context()
     try:
-        drawing = _Drawing(scene, method, shaders or {}, Canvas(context, uniforms(scene)))
+        drawing = _Drawing(scene, method, shaders or {}, Canvas(context, uniforms(scene)), kept)
         for one in passes.values():
             drawing.run(one)
         return drawing.buffers
@@ -52,15 +58,16 @@ class _Drawing:
     method: Method
     shaders: Mapping[str, Files]
     canvas: Canvas
+    kept: set[str]
 
     def __post_init__(self) -> None:
         self.textures: dict[str, Texture] = {}
 
     @property
     def buffers(self) -> dict[str, np.ndarray]:
-        """All that was drawn, in stage order."""
-        kinds = self.method.outputs
-        return {name: downloaded(self.textures[name], kinds[name]) for name in kinds if name in self.textures}
+        """What is to be kept and was drawn, in stage order."""
+        there = [name for name in self.method.values if name in self.kept and name in self.textures]
+        return {name: downloaded(self.textures[name], self.method.values[name]) for name in there}
 
     def run(self, one: Pass) -> None:
         """Draw a pass as often as it has rounds, and keep what it writes."""
@@ -82,7 +89,7 @@ class _Drawing:
         """The shaders of a pass."""
         lengths = self.canvas.lengths
         if one.name not in self.shaders:
-            return own_shaders(one, self.textures, one.outputs, lengths)
+            return own_shaders(one, self.textures, self.kept | set(one.outputs), lengths)
         theirs = user_shaders(one, self.shaders[one.name], lengths)
         written = {name for pair in theirs for name in pair.outputs}
         return theirs + own_shaders(one, self.textures, set(one.draw.outputs) - written, lengths)
@@ -90,7 +97,7 @@ class _Drawing:
     def draw(self, one: Pass, pair: ShaderPair, program: "Program") -> "dict[str, Texture]":
         """One draw into fresh textures."""
         table = getattr(self.scene.settings, one.target)
-        size, kinds = (table.width, table.height), one.outputs
+        size, kinds = (table.width, table.height), one.values
         clear = {name: background(name, self.canvas.uniforms) for name in pair.outputs}
         written = {name: filled(self.canvas.context, kinds[name], size, value) for name, value in clear.items()}
         if isinstance(one.draw, MeshDraw):

@@ -52,9 +52,11 @@ def own_shaders(
 def shader_folder(folder: Path, settings: SceneFile) -> dict[str, list[Path]]:
     """The files of a folder by the pass they stand for: camera.frag, camera_1.frag, camera.vert are of pass camera.
 
-    Raises ShaderError for a folder without any, and for a file that no pass has the name of.
+    Those of a pass on demand are left out. Raises ShaderError for a folder without any, and for a file that no pass has
+    the name of.
     """
-    passes = [one.name for one in method_of(settings).passes if not one.on_demand]
+    on_demand = {one.name: one.on_demand for one in method_of(settings).passes}
+    passes = [name for name in on_demand if not on_demand[name]]
     paths = sorted(path for path in folder.glob("*") if path.suffix in (".vert", ".frag"))
     if not paths:
         raise ShaderError(
@@ -62,11 +64,11 @@ def shader_folder(folder: Path, settings: SceneFile) -> dict[str, list[Path]]:
         )
     files: dict[str, list[Path]] = {}
     for path in paths:
-        name = next((name for name in (path.stem, re.sub(r"_\d+$", "", path.stem)) if name in passes), None)
+        name = next((name for name in (path.stem, re.sub(r"_\d+$", "", path.stem)) if name in on_demand), None)
         if name is None:
             raise ShaderError(f"{path}: expected the name of a pass ({', '.join(passes)}), got {path.stem}; rename it")
         files.setdefault(name, []).append(path)
-    return files
+    return {name: files[name] for name in passes if name in files}
 
 
 def user_shaders(one: Pass, files: Files, lengths: Mapping[str, int]) -> list[ShaderPair]:
@@ -93,13 +95,13 @@ def _outputs(one: Pass, path: Path, text: str) -> tuple[str, ...]:
     """The buffers that a fragment shader says it writes, by location."""
     found = sorted((int(location), name) for location, name in OUTPUT.findall(text))
     names = tuple(name for _, name in found)
-    listed = ", ".join(one.outputs)
+    listed = ", ".join(one.values)
     if not found or [location for location, _ in found] != list(range(min(len(found), GLSL.most_outputs))):
         raise ShaderError(
             f"{path}: expected outputs at locations 0, 1 ... of 1 to {GLSL.most_outputs} buffers ({listed}), got "
             f"{len(found)}; declare each as layout(location = 0) out vec3 {OUT}NAME"
         )
     for name in names:
-        if name not in one.outputs:
+        if name not in one.values:
             raise ShaderError(f"{path}: expected outputs of pass {one.name} ({listed}), got {OUT}{name}; rename it")
     return names

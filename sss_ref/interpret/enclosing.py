@@ -23,6 +23,7 @@ from sss_ref.numerics import interval
 from sss_ref.numerics.interval import Interval, each_end, negated, point
 
 FURTHER_CELLS = ((1, 0), (0, 1), (1, 1))  # right of, above, and diagonally from the first cell of a position
+Evaluated = tuple[int, int]  # which line of a body, counted as they are run, and the id of an expression in it
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -45,13 +46,27 @@ class Outcome:
 
 def enclosed(body: tree.Body, arguments: Mapping[str, Outcome], operations: Operations) -> dict[str, Outcome]:
     """What a body may return, by output: the hull over all cells that the position it splits may lie in."""
-    walk = _Walk(operations, dict(arguments))
+    return _over_cells(_Walk, body, arguments, operations)
+
+
+def enclosed_lines(
+    body: tree.Body, arguments: Mapping[str, Outcome], operations: Operations
+) -> dict[Evaluated, Outcome]:
+    """What each expression in the lines of a body may give, the hull over all cells; called functions stay closed."""
+    return _over_cells(_LineByLine, body, arguments, operations)
+
+
+def _over_cells(
+    kind: type["_Walk"], body: tree.Body, arguments: Mapping[str, Outcome], operations: Operations
+) -> dict[Any, Outcome]:
+    """What a kind of walk finds, joined over all cells."""
+    walk = kind(operations, dict(arguments))
     results = walk.run(body)
     for cell in FURTHER_CELLS:
         where = walk.reaches(cell)
         if np.any(where):
             there = {name: picked(outcome, where) for name, outcome in arguments.items()}
-            again = _Walk(operations, there, cell).run(body)
+            again = kind(operations, there, cell).run(body)
             results = {name: _joined(results[name], where, again[name]) for name in results}
     return results
 
@@ -76,14 +91,18 @@ class _Walk:
         column, row = self.crossed
         return (column if cell[0] else np.True_) & (row if cell[1] else np.True_)
 
-    def run(self, body: tree.Body) -> dict[str, Outcome]:
+    def run(self, body: tree.Body) -> dict[Any, Outcome]:
         """Walk the statements; output -> outcome."""
         for statement in body.statements:
             if isinstance(statement, tree.Loop):
                 self.loop(statement)
             else:
-                self.names[statement.name] = self.outcome(statement.value)
-        return {name: self.outcome(value) for name, value in body.result.values.items()}
+                self.names[statement.name] = self.line(statement.value)
+        return {name: self.line(value) for name, value in body.result.values.items()}
+
+    def line(self, expression: tree.Expression) -> Outcome:
+        """What a line of the body may give."""
+        return self.outcome(expression)
 
     def loop(self, statement: tree.Loop) -> None:
         """Every turn; the bounds of a loop are the same for all fragments."""
@@ -91,7 +110,7 @@ class _Walk:
         for index in range(start, stop):
             self.names[statement.index] = Outcome(point(np.int64(index)))
             for assign in statement.block:
-                self.names[assign.name] = self.outcome(assign.value)
+                self.names[assign.name] = self.line(assign.value)
 
     def outcome(self, expression: tree.Expression) -> Outcome:
         """What an expression may give."""
@@ -152,9 +171,8 @@ class _Walk:
     # Positions between texels
 
     def whole_part(self, position: Vector) -> ivec2:
-        """The cell that is being walked."""
-        cells, _ = self.split(position, self.operations.position_slack)
-        return ivec2(*(point(truncated(cell)) for cell in cells))
+        """The cell that is being walked; any where there are more than two on an axis."""
+        return ivec2(*self.split(position, self.operations.position_slack)[0])
 
     def fractional_part(self, position: Vector) -> Vector:
         """How far the position reaches into that cell."""
@@ -167,7 +185,7 @@ class _Walk:
         add = self.operations.arithmetic.add
         return componentwise(lambda a: add(a, negated(each_end(np.floor, a))), x)
 
-    def split(self, position: Vector, slack: float) -> tuple[list[Any], list[Interval]]:
+    def split(self, position: Vector, slack: float) -> tuple[list[Interval], list[Interval]]:
         """Per axis the cell that is being walked, and the fractions there; remembers where there are further ones.
 
         Raises StageError where a body splits two positions: which cells belong together, it alone could not tell.
@@ -181,12 +199,36 @@ class _Walk:
         cells = [b if step else a for a, b, step in zip(first, last, self.cell, strict=True)]
         self.crossed = tuple(b - a == 1 for a, b in zip(first, last, strict=True))
         too_many = [~(b - a <= 1) for a, b in zip(first, last, strict=True)]
-        inside = [self.inside(x, cell) for x, cell in zip(reach, cells, strict=True)]
-        return cells, list(map(choices.anything_where, too_many, inside))
+        whole = map(choices.anything_where, too_many, (point(truncated(cell)) for cell in cells))
+        inside = map(choices.anything_where, too_many, map(self.inside, reach, cells))
+        return list(whole), list(inside)
 
     def inside(self, reach: Interval, cell: Any) -> Interval:
         """A position from the corner of a cell, 0 to 1."""
         return each_end(lambda end: np.clip(end, 0.0, 1.0), self.operations.arithmetic.add(reach, point(-cell)))
+
+
+class _LineByLine(_Walk):
+    """A walk that gives what each expression may give on the way, and not only what the body returns."""
+
+    def run(self, body: tree.Body) -> dict[Evaluated, Outcome]:
+        """Walk the statements; line and expression -> outcome."""
+        self.number = -1  # of the line at work
+        self.evaluated: dict[Evaluated, Outcome] = {}
+        super().run(body)
+        return self.evaluated
+
+    def line(self, expression: tree.Expression) -> Outcome:
+        """As of any walk; counts the lines."""
+        self.number += 1
+        return super().line(expression)
+
+    def outcome(self, expression: tree.Expression) -> Outcome:
+        """As of any walk; remembers numbers, not what is known exactly and holds many: textures, arrays, matrices."""
+        found = super().outcome(expression)
+        if all(isinstance(part, Interval) for part in components(found.value)):
+            self.evaluated[self.number, id(expression)] = found
+        return found
 
 
 def picked(outcome: Outcome, where: Any) -> Outcome:

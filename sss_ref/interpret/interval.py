@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from sss_ref.interpret.choices import Texels, componentwise, computable, picked
-from sss_ref.interpret.enclosing import Outcome, enclosed
+from sss_ref.interpret.enclosing import Evaluated, Outcome, enclosed, enclosed_lines
 from sss_ref.interpret.operations import Operations
 from sss_ref.interpret.profile import Profile
 from sss_ref.language.stage import Stage
@@ -27,20 +27,35 @@ def run_intervals(
     Fragments are arrays (N,); scalars are the same for all of them, and where nothing else is read N is 1.
     pool: shares the chunks of fragments; the result is the same.
     """
-    names = {name: _lifted(inputs[name]) for name in stage.parameters}
     operations = Operations(profile)
+    names = {name: _lifted(inputs[name]) for name in stage.parameters}
     count = max(map(_length, names.values()))
     chunks = [slice(start, min(start + CHUNK, count)) for start in range(0, count, CHUNK)]
     parts = list((pool.map if pool else map)(lambda at: _chunk(stage, names, at, operations), chunks))
     return {stage.writes[own]: _concatenated([part[own] for part in parts]) for own in stage.outputs}
 
 
+def run_lines(stage: Stage, inputs: Mapping[str, Any], profile: Profile) -> dict[Evaluated, Outcome]:
+    """Run a stage on one fragment; what each expression in its lines may give, as in `enclosed_lines`.
+
+    inputs, profile: as in `run_intervals`.
+    """
+    operations = Operations(profile)
+    names = {name: _lifted(inputs[name]) for name in stage.parameters}
+    with np.errstate(all="ignore"):
+        return enclosed_lines(stage.body, _arguments(names, slice(0, 1), operations), operations)
+
+
 def _chunk(stage: Stage, names: Mapping[str, Any], at: slice, operations: Operations) -> dict[str, Outcome]:
     """The outcomes of some fragments."""
     with np.errstate(all="ignore"):
-        arguments = {name: Outcome(_computable(picked(value, at), operations)) for name, value in names.items()}
-        results = enclosed(stage.body, arguments, operations)
+        results = enclosed(stage.body, _arguments(names, at, operations), operations)
     return {name: _stored(outcome, at.stop - at.start) for name, outcome in results.items()}
+
+
+def _arguments(names: Mapping[str, Any], at: slice, operations: Operations) -> dict[str, Outcome]:
+    """What a stage reads at some fragments."""
+    return {name: Outcome(_computable(picked(value, at), operations)) for name, value in names.items()}
 
 
 def _lifted(value: Any) -> Any:

@@ -16,7 +16,7 @@ from sss_ref.language.builtins import dot, mix, normalize
 from sss_ref.language.sampling import bilinear_blend, nearest_texel
 from sss_ref.language.types import Vector, ivec2, mat3, mat4
 from sss_ref.numerics import interval
-from sss_ref.numerics.arithmetic import Bounded
+from sss_ref.numerics.bounded import Bounded
 from sss_ref.numerics.directed import nearest
 from sss_ref.numerics.interval import Interval, each_end, negated, point
 

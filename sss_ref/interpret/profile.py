@@ -1,9 +1,10 @@
 """What is known of a processor whose buffers are judged: its arithmetic, its sampling, its rasterizer."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
-from sss_ref.numerics.arithmetic import Bounded, Ieee
+from sss_ref.numerics.bounded import Bounded
+from sss_ref.numerics.ieee import Ieee
 
 
 @dataclass(frozen=True)
@@ -11,27 +12,27 @@ class Profile:
     """A kind of processor; the defaults are what Vulkan asks of every one.
 
     arithmetic: the bounds of its operations, or Ieee() for correctly rounded ones in the order written.
+    vertex_arithmetic: the same in vertex shaders, where it differs.
     weight_bits: fractional bits with which a position between texels is kept for a bilinear sample; 0: all of float32.
     nearest_slack: how near a texel's edge, in texels, a nearest sample may take the texel beyond it.
     subpixel_bits: fractional bits of a vertex's window position. snap: whether it moves to the nearest such position,
     or to any of those around it.
-    fused_viewport: whether the viewport transform's multiplication and addition may round once together.
-    guard_band: whether triangles that reach beyond the sides of the view may stay uncut.
-    y_origin: which row of a dump comes first in memory. clip_z: the depths that clipping keeps, as z/w.
     depth_format: how a depth buffer stores its values. reversed_depth: whether it holds 1 at the near plane.
     """
 
     arithmetic: Ieee | Bounded = field(default_factory=Bounded)
+    vertex_arithmetic: Ieee | Bounded | None = None
     weight_bits: int = 8
     nearest_slack: float = 2.0**-8
     subpixel_bits: Literal[4, 8] = 8
     snap: Literal["nearest", "any"] = "nearest"
-    fused_viewport: bool = True
-    guard_band: bool = True
-    y_origin: Literal["bottom", "top"] = "bottom"
-    clip_z: Literal["symmetric", "zero_to_one"] = "symmetric"
     depth_format: Literal["D16", "D24", "D32F"] = "D32F"
     reversed_depth: bool = False
+
+    @property
+    def for_vertices(self) -> "Profile":
+        """The same processor in its vertex shaders."""
+        return replace(self, arithmetic=self.vertex_arithmetic) if self.vertex_arithmetic else self
 
     @property
     def position_slack(self) -> float:
@@ -44,10 +45,11 @@ MEDIUMP_RELATIVE = 2.0**-10  # OpenGL ES Shading Language: mediump float
 MEDIUMP_SMALLEST, MEDIUMP_LARGEST = 2.0**-14, 2.0**14
 
 PROFILES = {
-    "ieee": Profile(Ieee(), weight_bits=0, nearest_slack=0.0, fused_viewport=False, guard_band=False),
-    "vulkan": Profile(clip_z="zero_to_one"),
+    "ieee": Profile(Ieee(), weight_bits=0, nearest_slack=0.0),
+    "vulkan": Profile(),
     "gl": Profile(Bounded(relative=GL_RELATIVE)),
     "mediump": Profile(
         Bounded(relative=MEDIUMP_RELATIVE, smallest_normal=MEDIUMP_SMALLEST, largest=MEDIUMP_LARGEST),
+        vertex_arithmetic=Bounded(),
     ),
 }

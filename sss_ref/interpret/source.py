@@ -163,7 +163,7 @@ class _FragmentLoop:
 
     def channels(self, name: str) -> list[str]:
         """The index after [row, column of each channel of a buffer."""
-        count = CHANNELS[self.one.outputs[name]]
+        count = CHANNELS[self.one.values[name]]
         return [""] if count == 1 else [f", {channel}" for channel in range(count)]
 
     def interpolation(self, draw: MeshDraw) -> None:

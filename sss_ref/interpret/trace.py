@@ -30,6 +30,7 @@ OPERATORS: dict[str, Callable[..., Any]] = {
     "|": operator.or_,
     "neg": operator.neg,
 }
+Bounds = tuple[Any, Any]
 TOLD = ("pow", "exp", "exp2", "log2", "texel")  # the primitives whose results are worth a line of their own
 
 
@@ -38,7 +39,8 @@ class Step:
     """A line of a stage, or a call in it.
 
     name: what the line assigns, or "". source: the expression, or the head of a loop or the number of its turn as text.
-    value: what it gives; None for loops. inner: of a line the calls in it, of a call the lines of the function, of a
+    value: what it gives; None for loops. bounds: what it gives at least and at most on another processor, as values of
+    the language, if that was asked for. inner: of a line the calls in it, of a call the lines of the function, of a
     loop its turns, of a turn its lines.
     """
 
@@ -46,6 +48,7 @@ class Step:
     source: tree.Expression | str
     value: Any
     inner: tuple["Step", ...] = ()
+    bounds: Bounds | None = None
 
     @property
     def text(self) -> str:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from sss_ref.errors import DumpError
 from sss_ref.io.folder import read_buffer
 from sss_ref.io.manifest import FILE_NAME, read_manifest
-from sss_ref.passes.buffers import BUFFERS, is_listed
+from sss_ref.passes.buffers import BUFFERS, entry_of, is_listed
 
 BUFFER_TYPES = ("<f4", "<i4", "|u1")
 CHANNELS = ((), (2,), (3,))  # what follows height and width in a buffer's shape
@@ -140,7 +140,7 @@ def _stage_order(*folders: Path) -> Callable[[str], int]:
     manifests = [read_manifest(folder) for folder in folders if (folder / FILE_NAME).is_file()]
     recorded = [record.name for record in manifests[0].buffers] if manifests else []
     order = list(dict.fromkeys((*recorded, *BUFFERS)))
-    return lambda name: order.index(name if name in order else name.rstrip("0123456789").rstrip("_"))
+    return lambda name: order.index(name if name in order else entry_of(name))
 
 
 def _form(buffer: np.ndarray) -> str:

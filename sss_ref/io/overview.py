@@ -70,7 +70,7 @@ def _tiles(result: Result) -> Iterator[Tile]:
     """The kept buffers in stage order, each with the pass that wrote it."""
     encode = encoding_of(result.scene.settings)
     for number, one in enumerate(method_of_scene(result.scene).passes):
-        kept = [name for name in one.outputs if name in result.buffers]
+        kept = [name for name in one.values if name in result.buffers]
         for name in kept:
             buffer = result.buffers[name]
             accent = ACCENTS[number % len(ACCENTS)]

@@ -8,6 +8,7 @@ from sss_ref.language.stage import Stage
 
 CLIP_POSITION = "clip_position"  # the one output of a vertex stage that is no varying: GLSL's gl_Position
 MESH_ATTRIBUTES = ("position", "normal", "uv")  # what a vertex stage may read of its vertex, in model space
+REGISTERS = "registers"  # the group of all values that a pass computes on the way and no buffer keeps
 PIXEL = "pixel"  # the built-in input of every fragment: ivec2(column, row), row 0 at the bottom
 
 
@@ -72,7 +73,8 @@ class Pass:
     """Stages that run one after the other on every fragment of one draw.
 
     target: the scene table that has its width and height. on_demand: not part of "all" buffers, run if asked for.
-    registers: prefixes of the names that stages hand on inside the pass and that are no buffers.
+    registers: prefixes of the names that stages hand on inside the pass and that are no buffers; a GPU has them in its
+        registers alone, unless a shader is told to write them.
     rounds, feedback: a pass that runs several times: before each round but the first, an output (value) takes the place
         of an input (key); with no round at all the outputs are the inputs.
     """
@@ -132,17 +134,23 @@ class Method:
         """Buffer -> type of everything the method writes unless told otherwise, in order."""
         return {name: kind for one in self.passes if not one.on_demand for name, kind in one.outputs.items()}
 
+    @property
+    def values(self) -> Mapping[str, Any]:
+        """Name -> type of everything the method can write, in order: `outputs`, and what it has on demand."""
+        return {name: kind for one in self.passes for name, kind in one.values.items()}
+
     def only(self, wanted: set[str]) -> "Method":
         """The same method with just the passes and stages that `wanted` buffers depend on."""
         needed = set(wanted)
         passes: list[Pass] = []
         for one in reversed(self.passes):
-            if needed & set(one.outputs):
+            if needed & set(one.values):
                 passes.insert(0, one.only(needed))
                 needed |= passes[0].needs
         return replace(self, passes=tuple(passes))
 
     @property
     def on_demand(self) -> dict[str, list[str]]:
-        """Pass -> its buffers, of the passes that run only if asked for."""
-        return {one.name: list(one.outputs) for one in self.passes if one.on_demand}
+        """Group -> names that are written only if asked for: each pass on demand, and the registers of all passes."""
+        passes = {one.name: list(one.outputs) for one in self.passes if one.on_demand}
+        return passes | {REGISTERS: [name for one in self.passes for name in one.values if name not in one.outputs]}

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from sss_ref.language import Stage
 from sss_ref.language.pipeline import MeshDraw
+from sss_ref.passes.buffers import PARTIAL, PARTIAL_SUM
 from sss_ref.passes.lights import plus
 from sss_ref.scene.settings import SceneFile
 
@@ -38,7 +39,6 @@ BUFFERS = (
     "irradiance_uv",
 )
 SUMMED = ("lit", "irradiance_used", "gloss")  # of which a light's part is no buffer by itself
-PARTIAL = "partial_"  # how the names of such parts begin
 
 
 class Lights:
@@ -75,7 +75,7 @@ class Lights:
         stages: list[Stage] = []
         before = self.numbered(self.suffixes[0])(name)
         for suffix in self.suffixes[1:]:
-            total = name if suffix == self.suffixes[-1] else f"{PARTIAL}sum_{name}{suffix}"
+            total = name if suffix == self.suffixes[-1] else f"{PARTIAL_SUM}{name}{suffix}"
             stages.append(plus.bound(first=before, second=self.numbered(suffix)(name), total=total))
             before = total
         return tuple(stages)

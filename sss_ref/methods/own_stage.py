@@ -6,7 +6,7 @@ from dataclasses import replace
 from sss_ref.language import Stage
 from sss_ref.language.pipeline import Method, Pass
 from sss_ref.methods.lights import BUFFERS, UNIFORMS
-from sss_ref.methods.texture_space import TEXEL
+from sss_ref.passes.buffers import TEXEL
 
 
 def with_stages(method: Method, own: Mapping[str, Stage]) -> Method:

@@ -5,13 +5,13 @@ from dataclasses import replace
 from sss_ref.language import Stage
 from sss_ref.language.pipeline import Method, Pass, ScreenDraw
 from sss_ref.methods.screen_space import single_taps
-from sss_ref.methods.texture_space import LAYOUT, TEXEL, in_texels
+from sss_ref.methods.texture_space import LAYOUT, in_texels
 from sss_ref.methods.views import ALBEDO, CAMERA_VIEW, LIGHT_VIEW
 from sss_ref.passes import blur, composite, encoding, irradiance, phong, published, shadow_map, translucency
+from sss_ref.passes.buffers import EXACT, TEXEL
 from sss_ref.passes.camera import surface
 from sss_ref.scene.settings import SceneFile
 
-EXACT = "exact_"  # prefix of what a target of eight bits does not keep
 CLIP = {"clip_from_model": "camera_clip_from_model"}
 
 LOOKUP_VIEW = replace(CAMERA_VIEW, vertex=published.lookup_vertex.bound(**CLIP))

@@ -2,9 +2,10 @@
 
 from sss_ref.language import Stage
 from sss_ref.language.pipeline import Method, Pass, ScreenDraw
-from sss_ref.methods.lights import PARTIAL, Lights
+from sss_ref.methods.lights import Lights
 from sss_ref.methods.views import CAMERA_VIEW, behind_the_surface, shadow_maps
 from sss_ref.passes import blur, composite, translucency
+from sss_ref.passes.buffers import PARTIAL
 from sss_ref.scene.settings import SceneFile
 
 COMBINE = {

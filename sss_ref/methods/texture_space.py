@@ -2,9 +2,10 @@
 
 from sss_ref.language import Stage
 from sss_ref.language.pipeline import MeshDraw, Method, Pass, ScreenDraw
-from sss_ref.methods.lights import PARTIAL, Lights
+from sss_ref.methods.lights import Lights
 from sss_ref.methods.views import CAMERA_VIEW, behind_the_surface, light_at_the_surface, shadow_maps
 from sss_ref.passes import blur, irradiance, shadow_map, texture_image
+from sss_ref.passes.buffers import PARTIAL, TEXEL
 from sss_ref.passes.camera import surface
 from sss_ref.passes.vertex import layout_vertex
 from sss_ref.scene.settings import SceneFile
@@ -18,7 +19,6 @@ USED = {"sqrt": texture_image.irradiance_replaced, "product": texture_image.irra
 BLUR = {"none": blur.scatter, "output": blur.scatter, "taps": blur.scatter_inside}
 
 LAYOUT = MeshDraw(layout_vertex, coverage="irradiance_mask", layout=True)
-TEXEL = "texel_"  # prefix of what the irradiance map computes on the way and does not store
 
 
 def texture_space(settings: SceneFile) -> Method:

@@ -4,8 +4,9 @@ Floats are float64 (-inf, inf: unbounded), integers int64, truth values bool: th
 possibly true.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -36,6 +37,17 @@ class Interval:
         return np.False_ if self.is_point else self.low != self.high
 
 
+@dataclass(frozen=True, eq=False, slots=True)
+class Scaled(Interval):
+    """A component of a vector whose length is less certain than its direction: all share * factor.
+
+    factor: one Interval for all components of the vector: whatever number it stands for, each is multiplied by it.
+    """
+
+    share: Interval
+    factor: Interval
+
+
 def point(value: Any) -> Interval:
     """One value per element."""
     return Interval(value, value)
@@ -52,7 +64,8 @@ def each_end(operation: Callable[..., Any], *intervals: Interval) -> Interval:
 def negated(a: Interval) -> Interval:
     """All -x."""
     low = -a.high
-    return Interval(low, low if a.is_point else -a.low)
+    high = low if a.is_point else -a.low
+    return Scaled(low, high, negated(a.share), a.factor) if isinstance(a, Scaled) else Interval(low, high)
 
 
 def hull(*intervals: Interval) -> Interval:
@@ -93,6 +106,27 @@ def square(a: Interval) -> Interval:
     return Interval(least * least, a.magnitude**2)
 
 
+def directions(v: Sequence[Interval]) -> list[Interval]:
+    """All v / |v| in float64, 0 where v is: a component grows with itself and shrinks as the others grow.
+
+    Unbounded where v is: the quotient of two infinities is NaN.
+    """
+    squares = [square(x) for x in v]
+    bounded = reduce(np.logical_and, [np.isfinite(end) for x in v for end in ends(x)])
+    return [_part_of_length(x, squares[:k] + squares[k + 1 :], bounded) for k, x in enumerate(v)]
+
+
+def _part_of_length(x: Interval, others: Sequence[Interval], bounded: Any) -> Interval:
+    """All x / sqrt(x*x + others) where that is bounded."""
+    least, most = sum(each.low for each in others), sum(each.high for each in others)
+
+    def at(end: Any, rest: Any) -> Any:
+        return np.where(end == 0, 0.0, end / np.sqrt(end * end + rest))
+
+    low, high = at(x.low, np.where(x.low < 0, least, most)), at(x.high, np.where(x.high < 0, most, least))
+    return Interval(np.where(bounded, low, -INFINITY), np.where(bounded, high, INFINITY))
+
+
 def quotient(a: Interval, b: Interval) -> Interval:
     """All x/y in float64, for b on one side of 0."""
     if a.is_point and b.is_point:
@@ -103,6 +137,14 @@ def quotient(a: Interval, b: Interval) -> Interval:
 def ends(a: Interval) -> tuple[Any, ...]:
     """Low and high, once if they are the same."""
     return (a.low,) if a.is_point else (a.low, a.high)
+
+
+def without_factor(v: Sequence[Interval]) -> tuple[Interval, Sequence[Interval]]:
+    """The factor that all components of a vector share, and their shares; 1 and the components if there is none."""
+    scaled = [x for x in v if isinstance(x, Scaled)]
+    if len(scaled) == len(v) and all(x.factor is scaled[0].factor for x in scaled):
+        return scaled[0].factor, [x.share for x in scaled]
+    return point(np.float64(1)), v
 
 
 def unbounded_where(undefined: Any, a: Interval) -> Interval:

@@ -1,4 +1,7 @@
-"""Every buffer of both methods: its unit, and what stands where nothing is drawn. The stages say the rest."""
+"""Every buffer of both methods: its unit, and what stands where nothing is drawn. The stages say the rest.
+
+A value that no buffer keeps is named after the buffer it would be, with a prefix that says why it is none.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -41,6 +44,7 @@ BUFFERS = {
     "translucency": Buffer("factor"),
     "irradiance_uv": Buffer("texture coordinates on the irradiance map", -1.0),
     "irradiance_used": Buffer("linear RGB"),
+    "gloss": Buffer("linear RGB"),
     "lit": Buffer("linear RGB"),
     "scattered": Buffer("linear RGB"),
     "image": Buffer("linear RGB", "background"),
@@ -49,18 +53,27 @@ BUFFERS = {
 
 
 OWN = Buffer("of a stage of your own")
+TEXEL = "texel_"  # of the point that a texel of the irradiance map shows; without it, of the point a pixel shows
+EXACT = "exact_"  # before a target of eight bits rounds it
+PARTIAL = "partial_"  # of one light among several
+PARTIAL_SUM = f"{PARTIAL}sum_"  # of the lights up to one
 
 
 def is_listed(name: str) -> bool:
     """Whether a buffer is one of ours; those of a kind are numbered: tap_00, tap_01 ..., light_distance_1 ..."""
-    return name in BUFFERS or name.rstrip("0123456789").rstrip("_") in BUFFERS
+    return entry_of(name) in BUFFERS
 
 
 def described(name: str) -> Buffer:
     """The entry of a buffer."""
-    if not is_listed(name):
-        return OWN
-    return BUFFERS[name] if name in BUFFERS else BUFFERS[name.rstrip("0123456789").rstrip("_")]
+    return BUFFERS.get(entry_of(name), OWN)
+
+
+def entry_of(name: str) -> str:
+    """The name without its prefixes and its number, as BUFFERS has it."""
+    for prefix in (TEXEL, EXACT, PARTIAL_SUM, PARTIAL):
+        name = name.removeprefix(prefix)
+    return name.rstrip("0123456789").rstrip("_")
 
 
 def background(name: str, uniforms: Mapping[str, Any]) -> Any:

@@ -32,14 +32,16 @@ def weights_arrays(
 ) -> np.ndarray:
     """The weights of N fragments, float32 (3, N), by plain array code that shares nothing with the kernels.
 
-    piece, column, row: integers (N,), a piece and a pixel whose sample it covers. step: 2^subpixel_bits.
+    piece, column, row: integers (N,), a piece, and a pixel that it covers, or near which its plane is meant.
+    step: 2^subpixel_bits.
     """
     corners = primitives.corners[piece].T
     x, y = np.moveaxis(primitives.snapped[corners].astype(np.int64), -1, 0)
     to_x, to_y = x - np.asarray(column, np.int64) * step, y - np.asarray(row, np.int64) * step
     opposite, next_one = [1, 2, 0], [2, 0, 1]
     e = to_x[opposite] * to_y[next_one] - to_x[next_one] * to_y[opposite]
-    return np.abs(e).astype(np.float32) * primitives.inverse_w[corners]
+    turn = np.where(e.sum(axis=0) < 0, -1, 1)
+    return (turn * e).astype(np.float32) * primitives.inverse_w[corners]
 
 
 def interpolate_arrays(

@@ -14,7 +14,7 @@ GUARD = np.float32(2**24)  # snapped units: edge functions of corners within +-2
 
 
 class Primitives(NamedTuple):
-    """Triangles ready to rasterize. Pieces are in scene order, pieces of one triangle consecutive, none of area zero.
+    """Triangles ready to rasterize. Pieces are in scene order, pieces of one triangle consecutive.
 
     corners: int32 (P, 3), the vertex indices of each piece. triangle: int32 (P,), the scene triangle it comes from.
     snapped: int32 (V, 2), window position less half a pixel in 1/2^bits pixel: samples lie on multiples of 2^bits.
@@ -39,17 +39,31 @@ def assemble(
     Dropped, because nothing of them can be covered: pieces of area zero after the snap, and pieces with a corner at
     w <= 0 (the eye itself) or, where float32 overflows, beyond 2^24 snapped units. No culling: both sides are kept.
     """
+    primitives, _ = place(clip_position, attributes, triangles, viewport)
+    kept = drawable(primitives)
+    if kept.all():
+        return primitives
+    return primitives._replace(corners=primitives.corners[kept], triangle=primitives.triangle[kept])
+
+
+def place(
+    clip_position: np.ndarray, attributes: np.ndarray, triangles: np.ndarray, viewport: Viewport
+) -> tuple[Primitives, np.ndarray]:
+    """All pieces, those too of which nothing can be covered, and the clip positions of their vertices, (V, 4)."""
     pieces = clip(clip_position, attributes, triangles)
     count = len(pieces.clip_position)
     snapped, depth = np.zeros((count, 2), np.int32), np.zeros(count, np.float32)
     inverse_w = np.zeros(count, np.float32)
     project(pieces.clip_position, (viewport.width, viewport.height, viewport.step), snapped, depth, inverse_w)
-    corners, triangle = pieces.corners, pieces.triangle
-    kept = np.empty(len(corners), np.bool_)
-    find_drawable(corners, snapped, inverse_w, kept)
-    if not kept.all():
-        corners, triangle = corners[kept], triangle[kept]
-    return Primitives(corners, triangle, snapped, depth, inverse_w, pieces.attributes)
+    placed = Primitives(pieces.corners, pieces.triangle, snapped, depth, inverse_w, pieces.attributes)
+    return placed, pieces.clip_position
+
+
+def drawable(primitives: Primitives) -> np.ndarray:
+    """Bool (P,): the pieces with three corners that have a place in the window, and an area."""
+    kept = np.empty(len(primitives.corners), np.bool_)
+    find_drawable(primitives.corners, primitives.snapped, primitives.inverse_w, kept)
+    return kept
 
 
 @compiled

@@ -4,7 +4,7 @@ Where a stage passes with what was drawn before it but its buffer lies outside t
 The bounds grow from stage to stage, so this is reported and decides nothing.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any, get_origin
 
 import numpy as np
@@ -12,7 +12,7 @@ import numpy as np
 from sss_ref.interpret.arrays import CHUNK, draw_values, stage_input
 from sss_ref.interpret.choices import Texels
 from sss_ref.interpret.profile import Profile
-from sss_ref.interpret.work import CHANNELS, Work
+from sss_ref.interpret.work import CHANNELS, Work, dtype_of, shape_of
 from sss_ref.language import Texture
 from sss_ref.language.pipeline import Pass
 from sss_ref.language.stage import Stage
@@ -21,40 +21,50 @@ from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.numerics.interval import Interval
 from sss_ref.result import Result
 from sss_ref.validation.acceptance import accepted
-from sss_ref.validation.rebased import Pixels, rebased, spread_varyings, work_of
+from sss_ref.validation.drawn import Drawn, Pixels, Rebased, Seen, spread_varyings
 
 Bounds = dict[str, tuple[np.ndarray, np.ndarray]]  # buffer -> the least and the largest it may hold
 
 
-def chained(oracle: Result, profile: Profile) -> Bounds:
-    """What every buffer of a scene may hold, drawn by a processor of the profile; the rasterizer's are the oracle's."""
-    rendering = rebased(oracle, {})
+def chained(oracle: Result, profile: Profile, on_demand: Collection[str] = (), seen: Seen | None = None) -> Bounds:
+    """What every buffer of a scene may hold, drawn by a processor of the profile; the rasterizer's are the oracle's.
+
+    on_demand: names beside the method's outputs. seen: what rasterizers may show, as far as it is known; added to.
+    """
+    rendering, method = Rebased(oracle, oracle.buffers, profile, seen), method_of_scene(oracle.scene)
+    wanted = {*method.outputs, *on_demand}
     bounds: Bounds = {}
-    for one in method_of_scene(oracle.scene).passes:
-        if not one.on_demand:
-            bounds |= {name: (oracle[name], oracle[name]) for name in one.outputs}
-            _run_rounds(work_of(rendering, one), one, bounds, profile)
+    for one in method.only(wanted).passes:
+        start = {name: _start(oracle, name, kind, rendering.size(one)) for name, kind in one.values.items()}
+        bounds |= {name: (value, value) for name, value in start.items() if name in wanted}
+        _run_rounds(rendering.drawn(one), one, bounds, profile)
     return bounds
 
 
-def _run_rounds(work: Work, one: Pass, bounds: Bounds, profile: Profile) -> None:
+def _start(oracle: Result, name: str, kind: Any, size: tuple[int, int]) -> np.ndarray:
+    """What stays in a buffer where no stage runs: what the oracle has there, or 0 in a register, where nobody looks."""
+    return oracle[name] if name in oracle.buffers else np.zeros(shape_of(kind, *size), dtype_of(kind))
+
+
+def _run_rounds(pass_drawn: Drawn, one: Pass, bounds: Bounds, profile: Profile) -> None:
     """Run a pass as often as it has rounds; `bounds` gets what it writes."""
     for name, own in one.feedback.items():
         bounds[own] = bounds[name]
     for _ in range(one.rounds):
         fed = {name: bounds[own] for name, own in one.feedback.items()}
-        outputs = {name: (bounds[name][0].copy(), bounds[name][1].copy()) for name in one.outputs}
-        rows, columns = np.nonzero(work.fragments.where)
+        outputs = {name: (bounds[name][0].copy(), bounds[name][1].copy()) for name in one.values if name in bounds}
+        rows, columns = np.nonzero(pass_drawn.work.fragments.where)
         for start in range(0, len(rows), CHUNK):
             at = rows[start : start + CHUNK], columns[start : start + CHUNK]
-            _run(work, at, {**bounds, **fed}, outputs, profile)
+            _run(pass_drawn, at, {**bounds, **fed}, outputs, profile)
         bounds |= outputs
 
 
-def _run(work: Work, at: Pixels, bounds: Bounds, outputs: Bounds, profile: Profile) -> None:
+def _run(pass_drawn: Drawn, at: Pixels, bounds: Bounds, outputs: Bounds, profile: Profile) -> None:
     """Run the stages of a pass on intervals at some pixels."""
+    work = pass_drawn.work
     values = draw_values(work, *at)
-    spread = spread_varyings(work, at, values)
+    spread = spread_varyings(pass_drawn, at, values)
     for stage in work.one.stages:
         given = {own: _given(work, stage, own, values, spread, bounds, at) for own in stage.parameters}
         for name, (value, _) in accepted(stage, given, profile, len(at[0])).items():

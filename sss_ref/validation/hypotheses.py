@@ -1,7 +1,8 @@
 """What may be wrong with a stage: every explanation is tried on the very pixels, and those that fit are ranked.
 
 Tried are: another number for each uniform of the stage, another stage in its place, the kernel turned round, every
-mutant of its source, and what happens to a buffer on its way (rows flipped, channels swapped, sRGB, fewer bits).
+mutant of its source, and what happens to a buffer on its way (rows flipped, channels swapped, sRGB, fewer bits); of a
+draw, what its triangles may have come to (culling, depth test, half a pixel, fewer subpixel bits).
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -11,15 +12,17 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.interpret.work import Work
 from sss_ref.language import Stage
 from sss_ref.language.types import Array, Texture, Vector, components, mat3, mat4
 from sss_ref.scene.kernels import KERNELS
+from sss_ref.validation.drawn import Buffers, Drawn, Pixels, stacked
 from sss_ref.validation.mutants import Mutant, mutants
 from sss_ref.validation.passages import passages, within
-from sss_ref.validation.rebased import Buffers, Check, Judgement, Pixels, Step, stacked, walk
+from sss_ref.validation.rasterizer.mishaps import mishaps
+from sss_ref.validation.rebased import RASTERIZER, Check, Judgement, Step, walk
 
 SAMPLE = 600  # pixels on which explanations are tried
+TELLING = 8  # wrong pixels from which on explanations mean something
 EVERY = 15  # of these the ones on which a mutant is tried first
 NEVER_WRONG = ("light_count",)  # uniforms that nobody sets by hand
 ENOUGH = 0.98  # of these that an explanation must bring within reach
@@ -68,11 +71,19 @@ class Sample:
 
 
 def hypotheses(
-    check: Check, work: Work, dumped: Buffers, how: Judgement, others: Mapping[str, Stage]
+    check: Check, pass_drawn: Drawn, dumped: Buffers, how: Judgement, others: Mapping[str, Stage]
 ) -> list[Hypothesis]:
-    """The explanations that fit, the best first. others: all stages by name, to be tried in the place of this one."""
+    """The explanations that fit, the best first; none for so few wrong pixels that nearly all would.
+
+    others: all stages by name, to be tried in the place of this one.
+    """
+    wrong = check.where & ~within(check, check.got, check.expected)
+    if wrong.sum() < TELLING:
+        return []
     found = [Hypothesis(text, share) for text, share in passages(check)]
-    sample = _sample(check, work, dumped, how)
+    if check.stage == RASTERIZER and pass_drawn.visible:
+        found += [Hypothesis(*each) for each in mishaps(pass_drawn.visible, check.buffer, check.got, wrong)]
+    sample = _sample(check, pass_drawn, dumped, how)
     if sample is not None:
         tried = (*_numbers(sample), *_other_stages(sample, others), *_kernels(sample), *_mutants(sample))
         found += [Hypothesis(text, share) for text, share in tried]
@@ -89,9 +100,9 @@ def _thinned(value: Any) -> Any:
     return value[::EVERY] if isinstance(value, np.ndarray) else value
 
 
-def _sample(check: Check, work: Work, dumped: Buffers, how: Judgement) -> Sample | None:
+def _sample(check: Check, pass_drawn: Drawn, dumped: Buffers, how: Judgement) -> Sample | None:
     """Half of the sample from the wrong pixels, half from all."""
-    if check.stage not in {stage.name for stage in work.one.stages}:
+    if check.stage not in {stage.name for stage in pass_drawn.work.one.stages}:
         return None
     rng = np.random.default_rng(0)
     wrong = np.argwhere(check.where & ~within(check, check.got, check.expected))
@@ -99,7 +110,7 @@ def _sample(check: Check, work: Work, dumped: Buffers, how: Judgement) -> Sample
     chosen = [pixels[rng.integers(0, len(pixels), SAMPLE // 2)] for pixels in (wrong, compared)]
     rows, columns = np.concatenate(chosen).T
     at: Pixels = (rows, columns)
-    step = next(step for step in walk(work, at, dumped, how) if check.buffer in step.results)
+    step = next(step for step in walk(pass_drawn, at, dumped, how) if check.buffer in step.results)
     got, reach = (np.atleast_3d(array)[at].astype(np.float64) for array in (check.got, check.reach))
     return Sample(step, check.buffer, got, reach)
 

@@ -11,7 +11,7 @@ from pydantic import BaseModel, ValidationError, create_model
 
 from sss_ref.errors import ProfileError
 from sss_ref.interpret.profile import PROFILES, Profile
-from sss_ref.numerics.arithmetic import Bounded
+from sss_ref.numerics.bounded import Bounded
 from sss_ref.scene.problems import described, told
 from sss_ref.scene.quantities import Count, NonNegative, Table
 
@@ -21,7 +21,7 @@ CHECKED: dict[Any, Any] = {float: NonNegative, int: Count}  # what the numbers o
 def _keys_of(described_class: type) -> dict[str, Any]:
     """The fields of a dataclass that a file may give: name -> type and default, as pydantic takes them."""
     hints = get_type_hints(described_class)
-    own = [field for field in fields(described_class) if field.name != "arithmetic"]
+    own = [field for field in fields(described_class) if "arithmetic" not in field.name]
     return {field.name: (CHECKED.get(hints[field.name], hints[field.name]), field.default) for field in own}
 
 

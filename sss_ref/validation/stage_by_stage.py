@@ -1,6 +1,7 @@
 """The question itself: is this what a right implementation draws, and if not, where does it go wrong."""
 
-from dataclasses import replace
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
@@ -9,34 +10,44 @@ import numpy as np
 
 import sss_ref.passes
 from sss_ref.errors import SceneError
-from sss_ref.explanation.explain import StageTrace
-from sss_ref.explanation.rows import Detail, Section, section_of
 from sss_ref.interpret.profile import Profile
-from sss_ref.interpret.trace import scalar, trace
-from sss_ref.interpret.work import Work
+from sss_ref.io.dump.slots import slots_of
 from sss_ref.language import Stage
+from sss_ref.language.pipeline import MeshDraw
 from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.rendering import render
 from sss_ref.result import Result
 from sss_ref.scene.load import Scene
+from sss_ref.scene.problems import told
 from sss_ref.validation.chained import Bounds, chained
+from sss_ref.validation.clock import Clock
+from sss_ref.validation.drawn import Buffers, Rebased, Seen
 from sss_ref.validation.hypotheses import hypotheses
+from sss_ref.validation.places import Places
+from sss_ref.validation.power import power
 from sss_ref.validation.profile_file import profile_of
-from sss_ref.validation.rebased import (
-    RASTERIZER,
-    Buffers,
-    Check,
-    Judgement,
-    Stored,
-    checks,
-    rebased,
-    walk,
-    work_of,
-)
-from sss_ref.validation.storage import STEPS, step_of
-from sss_ref.validation.verdict import Finding, Report, Verdict, judged
+from sss_ref.validation.rebased import RASTERIZER, Check, Judgement, Stored, checks
+from sss_ref.validation.report import Finding, Report
+from sss_ref.validation.storage import STEPS
+from sss_ref.validation.suspects import suspects
+from sss_ref.validation.verdict import Verdict, judged
+from sss_ref.validation.worst_pixel import worst_pixel
 
 DEFAULT_PROFILE = "vulkan"
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What another implementation drew.
+
+    buffers: name -> array as in `Result`. stored: buffer -> the storage of its file, where that is less than float32.
+    rounded: buffer -> the storage of its texture, where the file has fewer bits. device: what drew it, in its words.
+    """
+
+    buffers: Buffers
+    stored: Stored = field(default_factory=dict)
+    rounded: Stored = field(default_factory=dict)
+    device: str | None = None
 
 
 def validate(
@@ -50,29 +61,84 @@ def validate(
     """Hold the buffers of another implementation against the stages, one stage at a time.
 
     scene: what was drawn, or its rendering with all buffers. buffers: name -> array as in `Result`, (H, W) or
-    (H, W, C), row 0 at the bottom, float32, int32 or uint8; any of the method's, the more the nearer the culprit.
+    (H, W, C), row 0 at the bottom, float32, int32 or uint8; any of the method's, registers and taps too. The more there
+    are, the nearer the culprit.
     stored: buffer -> what its texture holds where that is less than float32: "float16", "unorm8", "unorm16", "srgb8".
     only: bool (H, W) of the camera's size, the pixels of its buffers that are judged.
     profile: the processor that may have drawn them, by name ("ieee", "vulkan", "gl", "mediump"), as a TOML file or as a
-    Profile; accepted is what it may give. explain: whether to look for what would explain a failure.
+    Profile; accepted is what it may give. explain: whether to look for what would explain a failure, and for how small
+    an error would have been seen.
     Raises SceneError where a buffer is not one of the scene, or not of its type and size.
     """
-    oracle = scene if isinstance(scene, Result) else render(scene)
-    _check_buffers(oracle, buffers)
-    how = Judgement(
-        profile_of(profile) if isinstance(profile, str) else profile,
-        {name: storage for name, storage in (stored or {}).items() if storage in STEPS},
-    )
-    verdicts, wrong, bounds = [], None, chained(oracle, how.profile)
-    for check in checks(oracle, buffers, how):
-        if only is not None and check.where.shape == only.shape:
-            check = replace(check, where=check.where & only)
-        verdicts.append(replace(judged(check), chained=_within_bounds(check, bounds, how)))
-        if wrong is None and not verdicts[-1].passed:
-            wrong = check, verdicts[-1]
-    there = {verdict.buffer for verdict in verdicts}
-    missing = tuple(name for name in oracle.buffers if name not in there)
-    return Report(tuple(verdicts), missing, _finding(oracle, buffers, how, *wrong) if wrong and explain else None)
+    clock = Clock()
+    with clock.phase("rendering"):
+        oracle = scene if isinstance(scene, Result) else render(scene)
+    return judge(oracle, Drawing(buffers, stored or {}), only, profile, explain, clock)
+
+
+def judge(
+    oracle: Result,
+    drawing: Drawing,
+    only: np.ndarray | None,
+    profile: Profile | str,
+    explain: bool,
+    clock: Clock,
+) -> Report:
+    """As `validate`, of what is known of a drawing, with the time it takes. Raises SceneError as it does."""
+    _check_buffers(oracle, drawing.buffers)
+    _check_something_is_drawn(oracle, only)
+    kind = profile_of(profile) if isinstance(profile, str) else profile
+    how = Judgement(kind, _coarse(drawing.stored), drawing.rounded)
+    buffers = _near_to_far(oracle, drawing.buffers) if kind.reversed_depth else drawing.buffers
+    seen: Seen = {}
+    with clock.phase("chained"):
+        bounds = chained(oracle, kind, buffers, seen)
+    verdicts, finding, compared = [], None, {}
+    for check, verdict in _verdicts(oracle, buffers, how, only, seen, clock):
+        verdicts.append(replace(verdict, chained=_within_bounds(check, bounds, how)))
+        compared[check.buffer] = check.where
+        if explain and finding is None and not verdict.passed:
+            with clock.phase("hypotheses"):
+                finding = _finding(oracle, buffers, how, check, verdict)
+    method = method_of_scene(oracle.scene)
+    missing = tuple(name for name in method.outputs if name not in buffers)
+    with clock.phase("power"):
+        sight = tuple(power(oracle, compared, how, seen)) if explain else ()
+    name = profile if isinstance(profile, str) else "a profile of its own"
+    return Report(tuple(verdicts), missing, finding, sight, (), name, drawing.device, clock.seconds)
+
+
+def _verdicts(
+    oracle: Result, buffers: Buffers, how: Judgement, only: np.ndarray | None, seen: Seen, clock: Clock
+) -> Iterator[tuple[Check, Verdict]]:
+    """Every buffer in stage order, judged on the chosen pixels."""
+    places, method = Places(oracle, buffers), method_of_scene(oracle.scene)
+    todo = checks(oracle, buffers, how, seen)
+    while True:
+        with clock.phase("rebased"):
+            check = next(todo, None)
+            if check is None:
+                return
+            clock.tell(f"stage {check.stage}: {check.buffer}")
+            if only is not None and check.where.shape == only.shape:
+                check = replace(check, where=check.where & only)
+            verdict = judged(check, places)
+            if not verdict.passed:
+                doubtful = suspects(method, check.pass_name, check.buffer, buffers)
+                verdict = replace(verdict, suspects=doubtful)
+        yield check, verdict
+
+
+def _coarse(stored: Stored) -> dict[str, str]:
+    """The storages that round."""
+    return {name: storage for name, storage in stored.items() if storage in STEPS}
+
+
+def _near_to_far(oracle: Result, buffers: Buffers) -> Buffers:
+    """The buffers with depths that grow with the distance, of a dump in which they fall."""
+    draws = (one.draw for one in method_of_scene(oracle.scene).passes)
+    depths = {draw.depth for draw in draws if isinstance(draw, MeshDraw)} & set(buffers)
+    return {**buffers, **{name: np.float32(1) - buffers[name] for name in depths}}
 
 
 def _within_bounds(check: Check, bounds: Bounds, how: Judgement) -> int | None:
@@ -80,9 +146,8 @@ def _within_bounds(check: Check, bounds: Bounds, how: Judgement) -> int | None:
     if check.stage == RASTERIZER:
         return None
     low, high = (np.atleast_3d(end)[check.where].astype(np.float64) for end in bounds[check.buffer])
-    got = np.atleast_3d(check.got)[check.where].astype(np.float64)
-    rounding = step_of(how.stored.get(check.buffer, ""), got)
-    return int(((got >= low - rounding) & (got <= high + rounding)).all(axis=-1).sum())
+    got = how.before(check.buffer, np.atleast_3d(check.got)[check.where])
+    return int(((got.high >= low) & (got.low <= high)).all(axis=-1).sum())
 
 
 def assert_valid(
@@ -97,36 +162,31 @@ def assert_valid(
 
 
 def _check_buffers(oracle: Result, buffers: Buffers) -> None:
+    slots = slots_of(oracle.scene)
     for name, buffer in buffers.items():
-        if name not in oracle.buffers:
-            raise SceneError(f"buffers: expected names of {', '.join(oracle.buffers)}, got {name!r}")
-        ours = oracle[name]
-        if (buffer.shape, buffer.dtype) != (ours.shape, ours.dtype):
-            form = f"{ours.dtype} {ours.shape}"
+        if name not in slots:
+            raise SceneError(f"buffers: expected names of {', '.join(slots)}, got {name!r}")
+        slot = slots[name]
+        if (buffer.shape, buffer.dtype) != (slot.shape, slot.dtype):
+            form = f"{slot.dtype} {slot.shape}"
             raise SceneError(f"buffers: expected {name} as {form}, got {buffer.dtype} {buffer.shape}; convert it")
+
+
+def _check_something_is_drawn(oracle: Result, only: np.ndarray | None) -> None:
+    """Raise SceneError where a blank picture would be right, and so would prove nothing."""
+    shown = oracle["coverage"] != 0
+    if not (shown if only is None else shown & only).any():
+        where, expected = oracle.scene.settings.mesh.path, "a mesh that covers some of the pixels judged"
+        raise SceneError(told(where, expected, "none", "change the view or the region; a blank picture proves nothing"))
 
 
 def _finding(oracle: Result, buffers: Buffers, how: Judgement, check: Check, verdict: Verdict) -> Finding:
     """Look closer at what is wrong."""
-    rendering = rebased(oracle, buffers)
-    scene = oracle.scene
-    (one,) = (each for each in method_of_scene(scene).passes if each.name == check.pass_name)
-    work = work_of(rendering, one)
-    found = hypotheses(check, work, buffers, how, _all_stages()) if check.where.any() else []
-    return Finding(check, tuple(found), _worst_section(verdict, work, buffers, how))
-
-
-def _worst_section(verdict: Verdict, work: Work, buffers: Buffers, how: Judgement) -> Section | None:
-    """The stage at the worst pixel, with what was dumped before it."""
-    pixel = verdict.worst_pixel
-    if pixel is None or verdict.stage not in {stage.name for stage in work.one.stages}:
-        return None
-    at = np.array([pixel[1]]), np.array([pixel[0]])
-    step = next(step for step in walk(work, at, buffers, how) if verdict.buffer in step.results)
-    inputs = [scalar(value) for value in step.inputs]
-    steps, writes = trace(step.stage, inputs)
-    traced = StageTrace(step.stage, dict(zip(step.stage.reads.values(), inputs, strict=True)), steps, writes)
-    return section_of(traced, Detail(depth=1, glsl=True))
+    (one,) = (each for each in method_of_scene(oracle.scene).passes if each.name == check.pass_name)
+    pass_drawn = Rebased(oracle, buffers, how.profile).drawn(one)
+    found = hypotheses(check, pass_drawn, buffers, how, _all_stages()) if check.where.any() else []
+    section = worst_pixel(check, verdict.worst.at, pass_drawn, buffers, how) if verdict.worst else None
+    return Finding(check, tuple(found), section)
 
 
 @cache

@@ -1,28 +1,46 @@
-"""What is said of each buffer, and of the whole: which stage is the first that is wrong."""
+"""What is said of each buffer: how many pixels are right, how much was let pass, and where it is wrong."""
 
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sss_ref.explanation.rows import Section
-from sss_ref.io.diff import ULP_CLASSES, bits, ulp_class
-from sss_ref.validation.hypotheses import Hypothesis
+from sss_ref.io.diff import ULP_CLASSES, ulp_class
+from sss_ref.validation.outcomes import AMBIGUOUS, FAIL, UNBOUNDED, UNDEFINED, Compared, compared, distance
+from sss_ref.validation.places import Clusters, Places
 from sss_ref.validation.rebased import Check
+from sss_ref.validation.widths import Widths, in_ulps, widths_of
 
-SHARE, FEW = (
-    1e-4,
-    2,
-)  # of the compared pixels, and as many besides, that may be out of reach: the reach of interpolation
-# is an estimate, and on slivers of triangles it can be too small
+
+@dataclass(frozen=True)
+class WrongPixel:
+    """A pixel that is out of reach.
+
+    at: (column, row), row 0 at the bottom. got, expected: its values as text. triangles: the one that the oracle shows
+    there, and the dump's if it is another; -1 is none. ulps, widths: how far beyond the interval its worst channel
+    lies, in ULP and in widths of the interval; infinite for NaN, and widths of an exact value.
+    """
+
+    at: tuple[int, int]
+    got: str
+    expected: str
+    triangles: tuple[int, ...]
+    ulps: float
+    widths: float
+
+    def __str__(self) -> str:
+        """As part of a sentence."""
+        ids = " or ".join("no triangle" if each < 0 else f"triangle {each}" for each in self.triangles)
+        return f"at pixel {self.at[0]},{self.at[1]} ({ids}): {self.got}, expected {self.expected}"
 
 
 @dataclass(frozen=True)
 class Verdict:
     """One buffer.
 
-    ulps: values in each of ULP_CLASSES. worst, worst_pixel: what lies farthest beyond its reach, if anything does, in
-    words and as (column, row).
+    ulps: values in each of ULP_CLASSES. first, worst: the first wrong pixel, row by row from the bottom, and the one
+    that lies farthest beyond its reach; None without any, as are the clusters. suspects: of a buffer that is wrong, the
+    stages one of which is, as PASS/STAGE in stage order: its own as the last, and those before it whose results were
+    not given.
     """
 
     pass_name: str
@@ -31,116 +49,101 @@ class Verdict:
     compared: int  # pixels
     equal: int  # pixels with the same bits
     within: int  # pixels within reach
+    ambiguous: int  # of these, pixels where a processor may take one of several texels or sides
+    unbounded: int  # of these, pixels about which nothing can be said
+    undefined: int  # pixels computed from what is not finite; neither right nor wrong
     ulps: tuple[int, ...]
-    worst: str | None
-    worst_pixel: tuple[int, int] | None
-    ambiguous: int  # pixels where a processor may take one of several texels or sides
-    unbounded: int  # pixels about which nothing can be said; they count as within
+    widths: Widths
+    first: WrongPixel | None = None
+    worst: WrongPixel | None = None
+    clusters: Clusters | None = None
     chained: int | None = None  # pixels within what the whole may give without any of the dump (see `chained`)
+    suspects: tuple[str, ...] = ()
+
+    @property
+    def certain(self) -> int:
+        """Pixels within reach beyond doubt."""
+        return self.within - self.ambiguous - self.unbounded
+
+    @property
+    def failing(self) -> int:
+        """Pixels out of reach."""
+        return self.compared - self.within - self.undefined
+
+    @property
+    def outcomes(self) -> tuple[int, ...]:
+        """Pixels with each of OUTCOMES."""
+        return self.certain, self.ambiguous, self.failing, self.undefined, self.unbounded
 
     @property
     def inherits(self) -> bool:
         """Whether the stage is right and its buffer is wrong all the same."""
-        return self.passed and self.chained is not None and not self._nearly_all(self.chained)
+        return self.passed and self.chained is not None and self.chained < self.compared
 
     @property
     def passed(self) -> bool:
-        """Whether enough pixels are within reach, and there are any."""
-        return self.compared > 0 and self._nearly_all(self.within)
-
-    def _nearly_all(self, pixels: int) -> bool:
-        return self.compared - pixels <= SHARE * self.compared + FEW
+        """Whether there are pixels of which something can be said, and none of them is out of reach."""
+        return self.compared > self.undefined and not self.failing
 
 
-@dataclass(frozen=True)
-class Finding:
-    """What was found out about the first stage that is wrong.
-
-    check: its buffer beside what should be in it. hypotheses: what would explain it. section: the stage at the worst
-    pixel, line by line, as it should have been; None for what the rasterizer wrote.
-    """
-
-    check: Check
-    hypotheses: tuple[Hypothesis, ...]
-    section: Section | None
-
-
-@dataclass(frozen=True)
-class Report:
-    """The verdicts in stage order. missing: buffers that were not dumped. finding: None if all is right."""
-
-    verdicts: tuple[Verdict, ...]
-    missing: tuple[str, ...]
-    finding: Finding | None = None
-
-    @property
-    def culprit(self) -> Verdict | None:
-        """The first buffer that a stage got wrong although it had what it needed."""
-        return next((verdict for verdict in self.verdicts if not verdict.passed), None)
-
-    @property
-    def passed(self) -> bool:
-        """Whether there are verdicts and all are good."""
-        return bool(self.verdicts) and self.culprit is None
-
-    @property
-    def explanations(self) -> list[str]:
-        """What would explain the failure, in sentences."""
-        found = self.finding.hypotheses if self.finding else ()
-        return [f"explained on {each.share:.1%} of the pixels tried: {each.text}" for each in found]
-
-    @property
-    def summary(self) -> str:
-        """The outcome in a sentence."""
-        if not self.verdicts:
-            return "fail: there is no buffer to judge"
-        wrong = self.culprit
-        if wrong is None:
-            return (
-                f"pass: {len(self.verdicts)} buffers, every stage gives what it should"
-                if self.passed
-                else "nothing to judge"
-            )
-        if not wrong.compared:
-            return f"fail: stage {wrong.stage} of pass {wrong.pass_name}: no pixel of {wrong.buffer} can be compared"
-        outside = 1 - wrong.within / wrong.compared
-        return (
-            f"fail: stage {wrong.stage} of pass {wrong.pass_name} is the first that is wrong: {outside:.1%} of the "
-            f"pixels of {wrong.buffer} are out of reach, {wrong.worst}"
-        )
-
-
-def judged(check: Check) -> Verdict:
-    """The verdict on one buffer. A NaN is never within reach."""
-    expected, got, reach = (np.atleast_3d(array)[check.where] for array in (check.expected, check.got, check.reach))
-    with np.errstate(invalid="ignore"):  # two infinities have no distance
-        apart = np.abs(got.astype(np.float64) - expected.astype(np.float64))
-    within = (apart <= reach).all(axis=-1)
-    classes = np.bincount(ulp_class(expected, got).reshape(-1), minlength=len(ULP_CLASSES))
-    equal = ~(bits(expected) != bits(got)).any(axis=-1)
-    return Verdict(
+def judged(check: Check, places: Places) -> Verdict:
+    """The verdict on one buffer."""
+    pixels = compared(check)
+    defined, wrong = pixels.outcome != UNDEFINED, pixels.outcome == FAIL
+    verdict = Verdict(
         check.pass_name,
         check.stage,
         check.buffer,
-        len(within),
-        int(equal.sum()),
-        int(within.sum()),
-        tuple(classes.tolist()),
-        *_worst(check, apart, reach, within),
-        0 if check.undecided is None else int(check.undecided[check.where].sum()),
-        int(np.isinf(reach).any(axis=-1).sum()),
+        compared=len(wrong),
+        equal=int((~pixels.differs).sum()),
+        within=int((defined & ~wrong).sum()),
+        ambiguous=pixels.count(AMBIGUOUS),
+        unbounded=pixels.count(UNBOUNDED),
+        undefined=pixels.count(UNDEFINED),
+        ulps=_ulps_off(pixels),
+        widths=widths_of(pixels.expected[defined], pixels.reach[defined]),
+    )
+    return _with_wrong_pixels(verdict, check, pixels, places) if wrong.any() else verdict
+
+
+def _ulps_off(pixels: Compared) -> tuple[int, ...]:
+    """How many values lie in each of ULP_CLASSES."""
+    differing = ulp_class(pixels.expected[pixels.differs], pixels.got[pixels.differs])
+    counts = np.bincount(differing.reshape(-1), minlength=len(ULP_CLASSES))
+    counts[0] += pixels.got.size - differing.size
+    return tuple(counts.tolist())
+
+
+def _with_wrong_pixels(verdict: Verdict, check: Check, pixels: Compared, places: Places) -> Verdict:
+    """The verdict with its first and worst wrong pixels, and where all of them lie."""
+    wrong = np.flatnonzero(pixels.outcome == FAIL)
+    beyond = _beyond(pixels, wrong).max(axis=-1)
+    first, worst = (_wrong_pixel(check, pixels, index, places) for index in (wrong[0], wrong[beyond.argmax()]))
+    where = np.zeros(check.where.shape, bool)
+    where[check.where] = pixels.outcome == FAIL
+    clusters = places.clusters(check.pass_name, check.where, where)
+    return replace(verdict, first=first, worst=worst, clusters=clusters)
+
+
+def _wrong_pixel(check: Check, pixels: Compared, index: int, places: Places) -> WrongPixel:
+    """One of the compared pixels."""
+    row, column = np.argwhere(check.where)[index].tolist()
+    at = np.array([index])
+    beyond = _beyond(pixels, at)
+    ulps = in_ulps(beyond, pixels.expected[at], pixels.reach[at])
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+        widths = np.where(beyond > 0, beyond / (2 * pixels.reach[at]), 0.0)
+    values = _shown(pixels.got[index]), _shown(pixels.expected[index])
+    return WrongPixel(
+        (column, row), *values, places.at(check.pass_name, (column, row)), float(ulps.max()), float(widths.max())
     )
 
 
-def _worst(check: Check, apart: np.ndarray, reach: np.ndarray, within: np.ndarray) -> tuple[Any, Any]:
-    """The pixel that lies farthest beyond its reach, in words and as (column, row); None, None if none does."""
-    if within.all():
-        return None, None
-    beyond = np.where(np.isfinite(apart), apart - reach, np.inf)
-    index = int(np.argmax(np.where(within, -np.inf, beyond.max(axis=-1))))
-    row, column = np.argwhere(check.where)[index].tolist()
-    expected, got = (_shown(array[row, column]) for array in (check.expected, check.got))
-    return f"worst at pixel {column},{row} (row 0 at the bottom): {got}, expected {expected}", (column, row)
+def _beyond(pixels: Compared, at: np.ndarray) -> np.ndarray:
+    """How far beyond their reach the channels of some pixels lie; infinitely far where they are not finite."""
+    with np.errstate(invalid="ignore"):
+        beyond = np.maximum(distance(pixels.expected[at], pixels.got[at]) - pixels.reach[at], 0.0)
+    return np.where(np.isfinite(pixels.got[at]), beyond, np.inf)
 
 
 def _shown(pixel: np.ndarray) -> str:

@@ -7,7 +7,7 @@ import re
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Collection, Sequence
+from collections.abc import Iterable, Sequence
 from html import unescape
 from pathlib import Path
 
@@ -36,13 +36,13 @@ ERROR = re.compile(r'<p id="error">([^<]+)</p>')
 
 def draw(
     scene: Scene,
-    keep: Collection[str] | None = None,
+    keep: str | Iterable[str] = "all",
     options: Sequence[str] = SWIFTSHADER,
     seconds: float = 600,
 ) -> dict[str, np.ndarray]:
     """Draw a scene in Chromium: the buffers of its method by name, (H, W) or (H, W, C), row 0 at the bottom.
 
-    keep: which buffers, as `page` takes it. seconds: how long it may take.
+    keep: which buffers, as in `sss_ref.render`. seconds: how long it may take.
     options: for its command line; those given here draw on the processor.
     Raises ShaderError where there is no Chromium, or where its WebGL does not draw the page.
     """

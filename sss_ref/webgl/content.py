@@ -2,19 +2,19 @@
 
 import base64
 import json
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from html import escape
 from importlib.resources import files
 from typing import Any
 
 import numpy as np
 
-from sss_ref.errors import SceneError
 from sss_ref.gl.textures import texture_data
 from sss_ref.interpret.shader import ESSL, array_lengths, draws, fragment_shader, vertex_shader
 from sss_ref.interpret.work import CHANNELS, dtype_of
 from sss_ref.language.pipeline import MeshDraw, Method, Pass
 from sss_ref.methods.catalogue import method_of_scene
+from sss_ref.methods.until import buffers_kept
 from sss_ref.passes.buffers import background
 from sss_ref.scene.load import Scene
 from sss_ref.scene.uniforms import uniforms
@@ -22,12 +22,12 @@ from sss_ref.scene.uniforms import uniforms
 KINDS = {"f": "float", "i": "int", "u": "bool"}  # kind of number -> the script's name
 
 
-def page(scene: Scene, keep: Collection[str] | None = None) -> str:
+def page(scene: Scene, keep: str | Iterable[str] = "all") -> str:
     """A page of HTML, to be opened in a browser, that draws a scene with WebGL 2.
 
     It reads nothing but itself and sends nothing. A buffer becomes a file NAME.npy to save, row 0 at the bottom, named
     and typed as that of a rendering. A UV layout that overlaps is drawn even where the scene's policy is "error".
-    keep: the names of the buffers to offer (None: all of the method); only what they need is drawn.
+    keep: which buffers to offer, as in `sss_ref.render`; only what they need is drawn.
     Raises SceneError for the name of no buffer.
     """
     folder, title = files("sss_ref.webgl"), f"sss_ref: {scene.mesh.name}"
@@ -36,12 +36,13 @@ def page(scene: Scene, keep: Collection[str] | None = None) -> str:
     return template.format(title=escape(title), scene=text, script=script)
 
 
-def drawing(scene: Scene, keep: Collection[str] | None) -> dict[str, Any]:
+def drawing(scene: Scene, keep: str | Iterable[str]) -> dict[str, Any]:
     """All that the script needs, as JSON has it; arrays are little-endian bytes in base 64."""
     method, values = method_of_scene(scene), uniforms(scene)
-    kept, textures = _kept(method, keep), texture_data(values)
+    wanted, textures = buffers_kept(method, keep), texture_data(values)
+    kept = [name for name in method.values if name in wanted]
     return {
-        "passes": _passes(method.only({*kept}), kept, scene, values),
+        "passes": _passes(method.only(wanted), kept, scene, values),
         "kept": kept,
         "uniforms": {name: np.ravel(value).tolist() for name, value in values.items() if name not in textures},
         "textures": {name: _texture(data) for name, data in textures.items()},
@@ -50,13 +51,6 @@ def drawing(scene: Scene, keep: Collection[str] | None) -> dict[str, Any]:
             name: {"channels": data.shape[1], "data": _base64(data)} for name, data in scene.mesh.attributes.items()
         },
     }
-
-
-def _kept(method: Method, keep: Collection[str] | None) -> list[str]:
-    """The buffers to offer, in stage order."""
-    for wrong in sorted({*(keep or ())} - {*method.outputs}):
-        raise SceneError(f"keep: expected names of buffers ({', '.join(method.outputs)}), got {wrong!r}")
-    return [name for name in method.outputs if keep is None or name in keep]
 
 
 def _passes(method: Method, kept: Collection[str], scene: Scene, values: Mapping[str, Any]) -> list[dict[str, Any]]:
@@ -95,7 +89,7 @@ def _draws(
             "name": name,
             "vertex": vertex_shader(one, lengths, ESSL),
             "fragment": fragment_shader(one, buffers, outputs, lengths, ESSL),
-            "outputs": [_output(output, one.outputs[output], values) for output in outputs],
+            "outputs": [_output(output, one.values[output], values) for output in outputs],
         }
         for name, outputs in draws(one, wanted, ESSL.most_outputs).items()
     ]

@@ -166,11 +166,14 @@ class Drawing {
       }
     }
     Object.assign(this.textures, outputs);
+    for (const output of pass.draws.flatMap((draw) => draw.outputs)) {
+      if (this.scene.kept.includes(output.name)) this.buffers[output.name] = this.npy(output, pass);
+    }
   }
 
   // One draw into fresh textures.
   draw({ width, height, mesh, laterWins }, { outputs }, program) {
-    const { gl, scene } = this;
+    const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
     gl.viewport(0, 0, width, height);
     gl.activeTexture(gl.TEXTURE0 + gl.getParameter(gl.MAX_COMBINED_TEXTURE_IMAGE_UNITS) - 1); // one that none reads
@@ -184,9 +187,6 @@ class Drawing {
     outputs.forEach(({ kind, background }, index) => this.kinds[kind].clear(index, background));
     if (mesh) this.triangles(program, width, height, laterWins);
     else gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
-    outputs.forEach((output, index) => {
-      if (scene.kept.includes(output.name)) this.buffers[output.name] = this.npy(output, width, height, index);
-    });
     const problem = gl.getError();
     if (problem) throw new Error(`expected a draw without error, got WebGL error ${problem}`);
     return written;
@@ -215,12 +215,14 @@ class Drawing {
     gl.disable(gl.DEPTH_TEST);
   }
 
-  // The file of what was drawn at one attachment: read with four channels, as WebGL promises, kept with its own.
-  npy({ kind, channels }, width, height, attachment) {
+  // The file of a texture that was drawn: read with four channels, as WebGL promises, kept with its own.
+  npy({ name, kind, channels }, { width, height }) {
     const { gl } = this;
     const { array, read, numpy, readType, readFormat } = this.kinds[kind];
     const texels = new read(width * height * 4);
-    gl.readBuffer(gl.COLOR_ATTACHMENT0 + attachment);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, this.textures[name], 0);
+    gl.readBuffer(gl.COLOR_ATTACHMENT0);
     gl.readPixels(0, 0, width, height, readFormat, readType, texels);
     const values = new array(width * height * channels);
     for (let k = 0; k < values.length; k++) values[k] = texels[Math.floor(k / channels) * 4 + (k % channels)];

@@ -10,7 +10,7 @@ from sss_ref.cli import main
 from sss_ref.errors import SceneError
 from sss_ref.explanation.explain import explain
 from sss_ref.explanation.rows import sections
-from sss_ref.explanation.values import bits, shown
+from sss_ref.explanation.values import between, bits, shown
 from sss_ref.language.types import Array, Texture, ivec2, mat3, vec3
 from sss_ref.rendering import render
 from sss_ref.scene.load import load_scene
@@ -48,6 +48,25 @@ def rows_of(told, stage, depth=1):
 )
 def test_values_as_text(value, text, pattern):
     assert (shown(value), bits(value)) == (text, pattern)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "text"),
+    [
+        (F(0.1), F(0.1), "exact"),
+        (F(-0.0), F(0.0), "exact"),
+        (F(0.1), F(0.2), "[0.1, 0.2]"),
+        (F(-np.inf), F(2), "[-inf, 2]"),
+        (F(-np.inf), F(np.inf), "anything"),
+        (np.False_, np.True_, "false or true"),
+        (np.True_, np.True_, "exact"),
+        (np.int64(3), np.int64(4), "[3, 4]"),
+        (vec3(F(1), F(0.5), F(2)), vec3(F(1), F(1.5), F(2)), "(1, [0.5, 1.5], 2)"),
+        (vec3(F(1), F(0.5), F(2)), vec3(F(1), F(0.5), F(2)), "exact"),
+    ],
+)
+def test_intervals_as_text(low, high, text):
+    assert between((low, high)) == text
 
 
 def test_a_stage_line_by_line(told):
@@ -127,6 +146,7 @@ def test_a_stage_that_did_not_run(told):
 def test_as_a_page(told):
     page = told._repr_html_()
     assert page.count("<details") == len([section for section in sections(told) if section.level == 2])
+    assert "may be" not in page and "may-be" not in page  # nobody asked
     assert "directly_lit = (facing &gt; 0.0) &amp; (behind &lt;= bias)" in page
     assert f"{told.result['thickness'][17, 16].view(np.uint32):08x}" in page
 

@@ -20,6 +20,7 @@ SIZE = 96
 SMALL = {
     f"{table}.{side}": SIZE for table in ("camera", "shadow_map", "irradiance_map") for side in ("width", "height")
 }
+KEPT = ("all", "registers")
 SHIPPED = {  # name -> a scene of the package, and what is different in it
     "bust": ("figure3_with", {}),
     "filtered bust": ("figure3_with", {"shadow_map.filter": "bilinear"}),
@@ -42,6 +43,11 @@ class Fault:
     files: str = ""
 
 
+def blamed(verdict):
+    """The places that may be wrong; a vertex stage may always be, since nothing shows what it gives."""
+    return [place for place in verdict.suspects if not place.endswith("_vertex")]
+
+
 def judged(fault, folder):
     """What is said of a drawing with a fault."""
     drawing = drawn_edited(fault.scene, fault.edits, folder, fault.files)
@@ -57,7 +63,7 @@ def rendered(name):
 @cache
 def drawn(name):
     """The same scene drawn with our own shaders."""
-    return draw(rendered(name).scene)
+    return draw(rendered(name).scene, keep=KEPT)
 
 
 def shipped(name):
@@ -84,7 +90,8 @@ def drawn_edited(name, edits, folder, files=""):
     """
     scene = rendered(name).scene
     found = set()
-    for path, text in shader_files(method_of(scene.settings), array_lengths(uniforms(scene))).items():
+    files_of_scene = shader_files(method_of(scene.settings), array_lengths(uniforms(scene)), registers=True)
+    for path, text in files_of_scene.items():
         if path.startswith("taps"):  # drawn on demand only
             continue
         for old in (old for old in edits if old in text and path.startswith(files)):
@@ -92,4 +99,4 @@ def drawn_edited(name, edits, folder, files=""):
             found.add(old)
         (folder / path).write_text(text)
     assert found == set(edits), f"the shaders no longer say {set(edits) - found}"
-    return draw(scene, shader_folder(folder, scene.settings))
+    return draw(scene, shader_folder(folder, scene.settings), KEPT)

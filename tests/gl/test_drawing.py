@@ -7,7 +7,7 @@ import pytest
 from opengl import needs_mesa
 from scenes import around, sphere, written
 
-from sss_ref.errors import ShaderError
+from sss_ref.errors import SceneError, ShaderError
 from sss_ref.gl import draw
 from sss_ref.interpret.shader import array_lengths, shader_files
 from sss_ref.methods.catalogue import method_of
@@ -168,6 +168,21 @@ def test_our_own_files_change_nothing(ours, tmp_path):
     expected, got = draw(scene), draw(scene, given)
     assert len(given["camera"]) == 4 and list(got) == list(expected)
     assert all(got[name].tobytes() == buffer.tobytes() for name, buffer in expected.items())
+
+
+def test_what_is_kept_comes_back(tmp_path):
+    scene = body(tmp_path, size=32, preset="published")
+    everything = draw(scene, keep=["all", "registers", "taps"])
+    assert [name for name in everything if name not in draw(scene)] == [
+        "exact_light_distance",
+        "exact_lit",
+        *(f"tap_{number:02}" for number in range(13)),
+        "exact_image",
+    ]
+    assert everything["exact_lit"].max() > everything["lit"].max()
+    assert list(draw(scene, keep="exact_lit")) == ["exact_lit"]
+    with pytest.raises(SceneError, match='keep: expected "all"'):
+        draw(scene, keep="texel_uv")
 
 
 def test_a_users_shader_takes_the_place_of_ours(ours, tmp_path):

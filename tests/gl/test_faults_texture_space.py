@@ -1,9 +1,16 @@
 """Faults that only the texture-space method can have, each found at its stage."""
 
+from dataclasses import replace
+
 import pytest
-from edited import Fault, judged
+from edited import KEPT, Fault, blamed, judged, rendered
 from opengl import needs_mesa
 from test_faults import BORDERED, CLAMPED
+
+from sss_ref.gl import draw
+from sss_ref.passes.texture_image import gloss_where_lit
+from sss_ref.validation.mutants import mutants
+from sss_ref.validation.stage_by_stage import validate
 
 pytestmark = needs_mesa
 
@@ -20,6 +27,25 @@ FAULTS = {
     "v flipped for the light": Fault(T, "shadow_map/uv_at_light", V_FLIPPED, "shadow_map."),
     "v flipped for the camera": Fault(T, "camera/surface", V_FLIPPED, "camera."),
     "exponent 0.601": Fault(T, "camera/translucency_ratio", {"d_min), exponent)": "d_min), exponent + 0.001)"}),
+    "normal as it is": Fault(
+        T, "irradiance_map/surface", {"normalize(fragment_normal)": "fragment_normal * 0.5"}, "irradiance_map"
+    ),
+    "not divided by w": Fault(
+        T,
+        "irradiance_map/shadow_lookup_nearest",
+        {"vec2(clip.x / clip.w, clip.y / clip.w)": "clip.xy"},
+        "irradiance_map",
+    ),
+    "no normalize": Fault(
+        T,
+        "irradiance_map/back_point",
+        {"normalize(position_world - light_position)": "(position_world - light_position)"},
+        "irradiance_map",
+    ),
+    "facing away": Fault(T, "irradiance_map/directly_lit_slope", {"facing > 0.0": "facing < 0.0"}, "irradiance_map"),
+    "half the light": Fault(
+        T, "irradiance_map/light_constant", {"light_color * light_intensity": "light_color * 0.5"}, "irradiance_map"
+    ),
     "cosine squared": Fault(
         T, "irradiance_map/irradiance_lambert", {"(directly_lit ? facing": "(directly_lit ? facing * facing"}
     ),
@@ -51,15 +77,31 @@ FAULTS = {
     "multiply for add": Fault(T, "camera/irradiance_added", {"IrradianceUsed(own + ": "IrradianceUsed(own * "}),
     "no ambient light": Fault(T, "camera/image_product", {"(ambient + irradiance_used": "(irradiance_used"}),
     "sRGB write": Fault(T, "camera/image_product", {"out_image = image;": "out_image = pow(image, vec3(0.4545));"}),
-    # What is rounded for its target is judged with the rounding: the unrounded value is no buffer.
     "no root": Fault(
-        PUBLISHED, "camera/stored_rgb8", {"sqrt(max(phong * irradiance_used,": "(max(phong * irradiance_used,"}
+        PUBLISHED, "camera/image_sqrt_add", {"sqrt(max(phong * irradiance_used,": "(max(phong * irradiance_used,"}
     ),
-    "root of the sum": Fault(PUBLISHED, "camera/stored_rgb8", {"phong * irradiance_used,": "phong + irradiance_used,"}),
+    "root of the sum": Fault(
+        PUBLISHED, "camera/image_sqrt_add", {"phong * irradiance_used,": "phong + irradiance_used,"}
+    ),
+    "twice the distance": Fault(
+        PUBLISHED,
+        "irradiance_map/irradiance_distance",
+        {"incident_light * length(": "incident_light * 2.0 * length("},
+        "irradiance_map",
+    ),
 }
 
 
 @pytest.mark.parametrize("fault", FAULTS)
 def test_the_stage_with_the_fault_is_named(fault, tmp_path):
     found = judged(FAULTS[fault], tmp_path)
-    assert not found.passed and f"{found.culprit.pass_name}/{found.culprit.stage}" == FAULTS[fault].at
+    assert not found.passed and blamed(found.culprit) == [FAULTS[fault].at]
+
+
+def test_a_mistake_in_a_function_that_two_stages_call_stays_in_one():
+    """`highlight` is wrong in gloss_where_lit alone: its shader has both, the other under a number."""
+    oracle = rendered(T)
+    wrong = next(mutant for mutant in mutants(gloss_where_lit) if mutant.wrong == "mirrored = dot(to_eye, normal)")
+    own = {"gloss_where_lit": replace(gloss_where_lit, body=wrong.body)}
+    found = validate(oracle, draw(replace(oracle.scene, own_stages=own), keep=KEPT), explain=False)
+    assert blamed(found.culprit) == ["camera/gloss_where_lit"]

@@ -100,8 +100,12 @@ class Processor:
 
     def normalize(self, v):
         squares = self.dot(v, v)
-        size, inverse = self.sqrt(squares), self.rounded(1 / np.sqrt(squares), 2)
-        return each(lambda x: np.where(size > 0, self.either(self.divided(x, size), self.rounded(x * inverse)), 0.0), v)
+        size, inverse, divides = self.sqrt(squares), self.rounded(1 / np.sqrt(squares), 2), self.chance(squares)
+
+        def direction(x):
+            return np.where(size > 0, np.where(divides, self.divided(x, size), self.rounded(x * inverse)), 0.0)
+
+        return each(direction, v)
 
     def exponential(self, function, x):
         return self.rounded(function(x), 3 + 2 * np.minimum(np.abs(x), 150))

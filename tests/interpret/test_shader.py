@@ -1,6 +1,7 @@
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +19,8 @@ from sss_ref.interpret.shader import (
     vertex_shader,
 )
 from sss_ref.interpret.shader.expressions import number
+from sss_ref.interpret.shader.glsl import GLSL
+from sss_ref.interpret.shader.library import Library
 from sss_ref.language import (
     Array,
     Texture,
@@ -36,8 +39,10 @@ from sss_ref.language import (
 from sss_ref.language import max as larger
 from sss_ref.methods.catalogue import method_of
 from sss_ref.passes.camera import albedo_by_material
+from sss_ref.passes.encoding import stored_r8, stored_rgb8
 from sss_ref.passes.shadow_map import back_point
 from sss_ref.passes.vertex import layout_vertex
+from sss_ref.validation.mutants import mutants
 
 LENGTHS = {"tap_offset": 13, "tap_weight": 13}
 
@@ -224,6 +229,17 @@ def test_several_lights_share_the_functions_of_their_stages():
     assert shader.count("BackPoint back_point(") == 1
     assert shader.count("= back_point(") == 2
     assert "ShadowLookup shadow_lookup_nearest_result_2 = shadow_lookup_nearest(" in shader
+
+
+def test_a_function_that_says_something_else_gets_a_number():
+    library = Library(GLSL)
+    wrong = next(mutant for mutant in mutants(stored_r8) if mutant.inside == "unorm8")
+    for each in (stored_rgb8, replace(stored_r8, body=wrong.body)):
+        library.stage(each, {})
+    lines = library.text.splitlines()
+    assert lines.count("float unorm8(float value)") == lines.count("float unorm8_2(float value)") == 1
+    assert "    return StoredColor(vec3(unorm8(color.x), unorm8(color.y), unorm8(color.z)));" in lines
+    assert "    return StoredValue(unorm8_2(value));" in lines and "unorm8_3" not in library.text
 
 
 def test_no_line_is_longer_than_120_characters():

@@ -5,12 +5,13 @@ from fractions import Fraction
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from sss_ref.numerics import elementary, interval
-from sss_ref.numerics.arithmetic import Bounded, Ieee
+from sss_ref.numerics.bounded import Bounded
 from sss_ref.numerics.directed import downward, nearest, two_sum, ulp, upward
+from sss_ref.numerics.ieee import Ieee
 from sss_ref.numerics.interval import Interval, point
 
 F = np.float32
@@ -116,7 +117,6 @@ def test_a_quotient_by_what_may_be_zero_or_out_of_range_is_anything():
 PRECISE = {
     "exp": (VULKAN.exp, mpmath.exp, lambda x: 3 + 2 * abs(x)),
     "exp2": (VULKAN.exp2, lambda x: mpmath.power(2, x), lambda x: 3 + 2 * abs(x)),
-    "sqrt": (VULKAN.sqrt, mpmath.sqrt, lambda x: 6.5),
     "inversesqrt": (VULKAN.inversesqrt, lambda x: 1 / mpmath.sqrt(x), lambda x: 2),
 }
 
@@ -132,6 +132,26 @@ def test_functions_within_their_bounds(name, x, off):
         got = operation(scalar(x))
         assert got.low <= at <= got.high
         assert got.high - got.low <= (4 * bound(x) + 4) * float(ulp(np.float64(float(value))))
+
+
+def off_by(exact, ulps):
+    """A number that many ULP away."""
+    return exact + ulps * float(ulp(np.float64(float(exact))))
+
+
+@given(x=st.floats(2.0**-20, 2.0**20, width=32), off=st.tuples(st.floats(-2, 2), st.floats(-2.5, 2.5)))
+@example(x=1.0, off=(-2.0, 2.5))
+@example(x=3.9999, off=(2.0, -2.5))
+@settings(max_examples=300)
+def test_sqrt_errs_no_more_than_its_two_operations(x, off):
+    with mpmath.workdps(40):
+        value = mpmath.sqrt(mpmath.mpf(x))
+        got = VULKAN.sqrt(scalar(x))
+        assert got.low <= off_by(1 / off_by(1 / value, off[0]), off[1]) <= got.high
+        unit = float(ulp(np.float64(float(value))))
+        assert got.high - got.low <= 20 * unit  # 15, and more where an ULP may be the next larger one
+        exact = Bounded(sqrt_ulp=0.5).sqrt(scalar(x))
+        assert exact.low <= value <= exact.high <= exact.low + 4 * unit
 
 
 @given(x=st.one_of(st.floats(2.0**-20, 2.0**20, width=32), st.floats(0.46875, 2.125, width=32)), off=st.floats(-1, 1))
@@ -205,6 +225,100 @@ def test_normalize_by_division_and_by_the_inverse_root(v):
         assert a.low <= F(component) * (F(1) / np.sqrt(squares)) <= a.high
         if squares > 2.0**-90:  # far from where squares become 0
             assert a.high - a.low <= 50 * ulp(np.float64(component) / np.sqrt(np.float64(squares)))
+
+
+def either_neighbour(exact, off):
+    """The float32 numbers beside those of float64, which for sums and products errs far less than float32."""
+    return np.where(off > 0, upward(exact), downward(exact))
+
+
+def within_ulps(exact, ulps):
+    """The float32 numbers farthest off that are so by no more than these ULP, in their direction."""
+    off = exact + ulps * ulp(exact)
+    return np.where(ulps > 0, downward(off), upward(off))
+
+
+def dot_off(a, b, off):
+    """Sums of three products, each operation rounded to the neighbour on the given side."""
+    x, y, z = (either_neighbour(p * q, off) for p, q in zip(a, b, strict=True))
+    return either_neighbour(either_neighbour(x + y, off) + z, off)
+
+
+def unit_vectors(v, shorter, off):
+    """Vectors made unit in both ways; the length errs to one side as far as it may, each component to its own."""
+    inverse = within_ulps(1 / np.sqrt(dot_off(v, v, shorter)), -2 * shorter)
+    length = within_ulps(1 / inverse, 2.5 * shorter)
+    yield [within_ulps(x / length, 2.5 * each) for x, each in zip(v, off, strict=True)]
+    yield [either_neighbour(x * inverse, each) for x, each in zip(v, off, strict=True)]
+
+
+def boxes(rng, count):
+    """Vectors of intervals, half of them points, and a float32 vector in each."""
+    low, share = rng.uniform(-4, 4, (3, count)).astype(F), rng.random((3, count))
+    high = low + (rng.random((3, count)) * (np.arange(count) % 2)).astype(F)
+    at = np.clip((low + (high - low) * share).astype(F), low, high)
+    return [Interval(*map(np.float64, ends)) for ends in zip(low, high, strict=True)], list(at.astype(np.float64))
+
+
+SIDES = [(np.float64(a), np.float64(b)) for a in (-1, 1) for b in (-1, 1)]
+
+
+@pytest.mark.parametrize(("shorter", "less"), SIDES)
+def test_unit_vectors_and_their_dots_hold_all_that_either_way_may_give(shorter, less):
+    rng = np.random.default_rng(2)
+    (box, v), (other, w) = boxes(rng, 5000), boxes(rng, 5000)
+    with np.errstate(all="ignore"):
+        a, b = VULKAN.normalize(box), VULKAN.normalize(other)
+        mixed, turned = VULKAN.dot(a, other), VULKAN.dot(other, [interval.negated(x) for x in a])
+        both = VULKAN.dot(a, b)
+    for x in unit_vectors(v, shorter, [less * np.sign(each) for each in w]):
+        assert all(((each.low <= value) & (value <= each.high)).all() for each, value in zip(a, x, strict=True))
+        value = dot_off(x, w, less)
+        assert ((mixed.low <= value) & (value <= mixed.high)).all()
+        assert ((turned.low <= -value) & (-value <= turned.high)).all()
+        for y in unit_vectors(w, shorter, [less * np.sign(each) for each in v]):
+            value = dot_off(x, y, less)
+            assert ((both.low <= value) & (value <= both.high)).all()
+
+
+@pytest.mark.parametrize("shorter", [np.float64(-1), np.float64(1)])
+def test_a_component_of_a_unit_vector_may_be_off_as_far_as_its_interval_reaches(shorter):
+    """Some correct processor comes within a few ULP of the ends, so they could not be much nearer."""
+    _, v = boxes(np.random.default_rng(3), 5000)
+    got = VULKAN.normalize(list(map(point, v)))
+    divided, _ = unit_vectors(v, shorter, [-shorter * np.sign(x) for x in v])
+    for a, value in zip(got, divided, strict=True):
+        end = np.where(shorter * np.sign(value) > 0, a.low, a.high)
+        assert (np.abs(value - end) <= 5 * ulp(value)).mean() > 0.95
+
+
+def test_a_sum_of_squares_errs_and_with_it_the_length():
+    v = [float(F(1.0001))] * 3
+    factor = Bounded(inversesqrt_ulp=0, sqrt_ulp=0).normalize(list(map(scalar, v)))[0].factor
+    for off in (-1.0, 1.0):
+        assert factor.low <= np.sqrt(3 * v[0] ** 2 / dot_off(v, v, off)) <= factor.high
+    assert factor.high - factor.low < 5 * 2.0**-23
+
+
+def test_what_the_length_errs_hardly_changes_a_dot_near_zero():
+    unit, across = VULKAN.normalize(list(map(scalar, (1.1, 2.3, 0.7)))), list(map(scalar, (2.3, -1.1, 0.001)))
+    together, each = VULKAN.dot(unit, across), VULKAN.dot([Interval(x.low, x.high) for x in unit], across)
+    assert together.high - together.low < 0.6 * (each.high - each.low)
+
+
+def test_a_component_of_a_unit_vector_is_as_wide_as_the_box_makes_it():
+    box, _ = boxes(np.random.default_rng(4), 2000)
+    with np.errstate(all="ignore"):
+        unit = VULKAN.normalize(box)
+    nearest_to_zero = [np.clip(0, x.low, x.high) for x in box]
+    ends = [[x.low, x.high, zero] for x, zero in zip(box, nearest_to_zero, strict=True)]
+    corners = np.array([[x, y, z] for x in ends[0] for y in ends[1] for z in ends[2]])  # the extremes are among them
+    lengths = np.sqrt((corners**2).sum(axis=1, keepdims=True))
+    exact, far = corners / lengths, lengths.min(axis=0)[0] > 2.0**-4
+    rounding = 40 * 2.0**-24 * (lengths.max(axis=0) / lengths.min(axis=0))[0] ** 2
+    for got, low, high in zip(unit, exact.min(axis=0), exact.max(axis=0), strict=True):
+        assert ((got.low <= low) & (high <= got.high))[far].all() and far.mean() > 0.9
+        assert ((low <= got.low + rounding) & (got.high - rounding <= high))[far].all()
 
 
 def test_normalize_by_an_inverse_root_that_errs_more_than_the_root():

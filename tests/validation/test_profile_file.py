@@ -4,7 +4,8 @@ import pytest
 
 from sss_ref.errors import ProfileError
 from sss_ref.interpret.profile import PROFILES, Profile
-from sss_ref.numerics.arithmetic import Bounded, Ieee
+from sss_ref.numerics.bounded import Bounded
+from sss_ref.numerics.ieee import Ieee
 from sss_ref.validation.profile_file import profile_of
 
 
@@ -24,7 +25,7 @@ def test_a_name_is_enough(name):
 
 
 def test_named_profiles():
-    assert PROFILES["vulkan"] == Profile(clip_z="zero_to_one")
+    assert PROFILES["vulkan"] == Profile()
     assert PROFILES["ieee"].arithmetic == Ieee() and PROFILES["ieee"].position_slack == 0
     assert PROFILES["gl"].arithmetic.relative == 1e-5 and PROFILES["gl"].position_slack == 1 / 256
 
@@ -47,7 +48,7 @@ def test_bounds_on_top_of_ieee_are_vulkans_where_the_file_is_silent(read):
         ("snap = 3", 'snap: expected "nearest" or "any", got 3; choose one of these'),
         ("subpixel_bits = 5", "subpixel_bits: expected 4 or 8, got 5; choose one of these"),
         ("weight_bits = -1", "weight_bits: expected a whole number from 0 to 16384, got -1; choose another value"),
-        ("fused_viewport = 1", "fused_viewport: expected true or false, got 1; write it without quotes"),
+        ("reversed_depth = 1", "reversed_depth: expected true or false, got 1; write it without quotes"),
         ("speed = 1", "speed: expected a known key, got this one; remove it (known here: based_on, bounds,"),
         ("bounds = 4", "bounds: expected a table, got 4; give its keys, each with a value"),
         ("[bounds]\ndivide_ulp = nan", "bounds.divide_ulp: expected a finite number"),

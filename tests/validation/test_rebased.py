@@ -1,16 +1,24 @@
 """Which stage is wrong: renderings with one thing changed stand for faulty implementations."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
-from scenes import around, sphere, two_slabs, written
+from scenes import LIGHT, around, sphere, two_slabs, written
 
-from sss_ref.raster.primitives import assemble
+from sss_ref.interpret.profile import PROFILES
+from sss_ref.methods.catalogue import method_of
 from sss_ref.rendering import render
 from sss_ref.scene.load import load_scene
-from sss_ref.validation.rebased import RASTERIZER, half_subpixel
+from sss_ref.validation import drawn as passes_drawn
+from sss_ref.validation.rebased import RASTERIZER
 from sss_ref.validation.stage_by_stage import validate
 
 METHODS = ("screen_space", "texture_space")
+ORACLES = {
+    **{preset: {"preset": preset} for preset in ("paper", "robust", "published")},
+    "two lights": {"preset": "robust", "lights": [{"position": LIGHT}, {"position": [-3.0, 0.5, 1.0]}]},
+}
 
 
 @pytest.fixture(scope="module")
@@ -34,19 +42,40 @@ def drawn(scene):
 
 
 def verdict_on(dumped, oracle):
-    return validate(oracle, dumped)
+    return validate(oracle, dumped, explain=False)
 
 
 @pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("preset", ["paper", "robust", "published"])
-def test_the_oracle_passes(bodies, method, preset):
-    tables = {"method": method, "preset": preset, "irradiance_map": {"width": 64, "height": 64}}
-    oracle = drawn(load_scene(around(bodies["sphere"], 64, **tables)))
-    found = verdict_on(oracle.buffers, oracle)
-    assert found.passed and found.culprit is None and not found.missing
-    assert [one.buffer for one in found.verdicts if one.equal < one.compared] == []
-    assert {one.buffer for one in found.verdicts} == set(oracle.buffers)
-    assert found.summary == f"pass: {len(oracle.buffers)} buffers, every stage gives what it should"
+@pytest.mark.parametrize("tables", ORACLES.values(), ids=ORACLES)
+def test_the_oracle_passes_registers_and_taps_too(bodies, method, tables):
+    scene = load_scene(
+        around(bodies["sphere"], 64, method=method, irradiance_map={"width": 64, "height": 64}, **tables)
+    )
+    oracle = drawn(scene)
+    on_demand = [name for name in ("taps", "registers") if name in method_of(scene.settings).on_demand]
+    for dumped in (oracle.buffers, render(scene, "arrays", keep=["all", *on_demand]).buffers):
+        found = verdict_on(dumped, oracle)
+        assert found.passed and found.culprit is None and not found.missing
+        assert [one.buffer for one in found.verdicts if one.equal < one.compared] == []
+        assert [one.buffer for one in found.verdicts if one.chained not in (one.compared, None)] == []
+        assert [one.buffer for one in found.verdicts] == list(dumped)
+        assert found.summary == f"pass: {len(dumped)} buffers, every stage gives what it should"
+
+
+def test_a_register_alone_is_judged(bodies):
+    oracle = drawn(load_scene(around(bodies["sphere"], 64, preset="published")))
+    (lit,) = render(oracle.scene, "arrays", keep="exact_lit").buffers.values()
+    assert verdict_on({"exact_lit": lit}, oracle).passed
+    wrong = verdict_on({"exact_lit": lit * np.float32(1.01)}, oracle)
+    assert wrong.culprit.stage == "lit_add" and "lit" in wrong.missing
+
+
+def test_a_wrong_tap_is_the_taps(bodies):
+    oracle = drawn(scene_of(bodies["slabs"]))
+    dumped = dict(render(oracle.scene, "arrays", keep=["all", "taps"]).buffers)
+    dumped["tap_03"] = dumped["tap_03"] * np.float32(1.01)
+    (wrong,) = (one for one in verdict_on(dumped, oracle).verdicts if not one.passed)
+    assert wrong.buffer == "tap_03" and wrong.suspects == ("taps/single_tap",)
 
 
 FAULTS = {  # what is changed, and where: (method, overrides, stage)
@@ -130,15 +159,22 @@ def test_pixels_with_another_triangle_are_the_rasterizers(bodies):
     assert found["position_world"].equal == found["position_world"].compared == int((oracle["coverage"] != 0).sum()) - 1
 
 
-def test_half_a_subpixel_by_hand():
-    """Corners at pixels (0, 0), (8, 0) and (0, 4): an attribute that is x there grows by 1/512 over half a subpixel."""
-    from sss_ref.raster.viewport import Viewport
+@pytest.mark.parametrize(("preset", "draws"), [("robust", 2), ("published", 3)])
+def test_a_draw_that_no_dump_can_change_is_done_once(bodies, monkeypatch, preset, draws):
+    """The chained bounds and the rebased checks share it; where vertices read a buffer, each has its own."""
+    tables = {"preset": preset, "irradiance_map": {"width": 64, "height": 64}}
+    oracle = drawn(load_scene(around(bodies["sphere"], 64, **tables)))
+    done, visible = [], passes_drawn.visible
+    monkeypatch.setattr(passes_drawn, "visible", lambda *given: done.append(1) or visible(*given))
+    assert verdict_on(oracle.buffers, oracle).passed
+    assert len(done) == draws
 
-    viewport = Viewport(8, 8)
-    window = np.array([(0, 0), (8, 0), (0, 4)], np.float32)
-    clip = np.column_stack([window / 4 - 1, np.zeros(3), np.ones(3)]).astype(np.float32)
-    attributes = np.column_stack([window, window.sum(axis=1)]).astype(np.float32)
-    primitives = assemble(clip, attributes, np.array([(0, 1, 2)], np.int32), viewport)
-    slack = half_subpixel(primitives, primitives.attributes, np.array([0]), viewport.step)[0] * 512
-    assert slack[0] >= 1 and slack[1] >= 1 and slack[2] >= 2  # at least the gradient along both axes
-    assert slack.max() <= 4
+
+@pytest.mark.parametrize("form", ["D16", "D24"])
+def test_a_depth_as_another_target_keeps_it(bodies, form):
+    oracle, steps = drawn(scene_of(bodies["sphere"])), {"D16": 2**16 - 1, "D24": 2**24 - 1}[form]
+    profile = replace(PROFILES["vulkan"], depth_format=form, reversed_depth=True)
+    kept = {name: (np.rint((1 - oracle[name]) * steps) / steps).astype(np.float32) for name in ("depth", "light_depth")}
+    assert validate(oracle, oracle.buffers | kept, profile=profile).passed
+    assert verdict_on(oracle.buffers | kept, oracle).culprit.stage == RASTERIZER
+    assert validate(oracle, oracle.buffers, profile=profile).culprit.stage == RASTERIZER

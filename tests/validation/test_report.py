@@ -12,8 +12,8 @@ from sss_ref.cli import main
 from sss_ref.errors import SceneError
 from sss_ref.rendering import render
 from sss_ref.scene.load import load_scene
-from sss_ref.validation.report import as_html, as_json
-from sss_ref.validation.storage import step_of
+from sss_ref.validation.report_data import as_json
+from sss_ref.validation.report_page import as_html
 
 SMALL = ["--size", "48x48", "--set", "shadow_map.width=48", "--set", "shadow_map.height=48", "--interpreter", "arrays"]
 OVERRIDES = {f"{t}.{s}": 48 for t in ("camera", "shadow_map") for s in ("width", "height")}
@@ -48,13 +48,64 @@ def test_a_wrong_dump_fails_and_is_reported(dump, oracle, tmp_path, capsys):
     assert "fail: stage phong_shading of pass camera is the first that is wrong" in printed
     assert "shininess is 20 instead of" in printed
     page = (tmp_path / "report" / "report.html").read_text()
-    assert "shininess is 20 instead of" in page and page.count("data:image/png;base64,") == 3
+    assert "shininess is 20 instead of" in page and page.count("data:image/png;base64,") == 4
     assert "http" not in page.replace("http://www.w3.org", "")
     assert "float lambert = diffuse * max(dot(normal_world, to_light), 0.0);" in page
     data = json.loads((tmp_path / "report" / "report.json").read_text())
     assert data["passed"] is False and data["explanations"][0]["text"].startswith("shininess is 20 ")
-    failed = [one["buffer"] for one in data["buffers"] if not one["passed"]]
-    assert failed == ["phong"]
+    failed = [one for one in data["buffers"] if not one["passed"]]
+    assert [one["buffer"] for one in failed] == ["phong"]
+    assert data["details"] and all(line in printed for line in data["details"])
+    assert all(sum(one["outcomes"]) == one["pixels"] for one in data["buffers"])
+    assert all(len(one["widths"]) == len(data["width_classes"]) for one in data["buffers"])
+    column, row = failed[0]["first"]["at"]
+    assert failed[0]["first"]["triangles"] == [int(oracle["triangle"][row, column])]
+    assert failed[0]["clusters"]["sentence"] in page and "translucency_ratio" in [one["stage"] for one in data["power"]]
+    assert list(data["seconds"]) == ["reading", "rendering", "chained", "rebased", "hypotheses", "power"]
+    assert "chained " in printed.split("time: ")[1]
+    assert data["profile"] == "vulkan" and data["device"] is None and "device not given" in printed + page
+
+
+def test_the_device_and_the_metrics_are_told(dump, oracle, tmp_path, capsys):
+    tables = "".join(f'[buffers.{name}]\nfile = "{name}.npy"\n' for name in oracle.buffers)
+    (dump / "mapping.toml").write_text(f'device = "Imaginary <GPU>"\n{tables}')
+    arguments = ["validate", "sphere", str(dump / "mapping.toml"), *SMALL, "--metrics", "--profile", "gl"]
+    assert main([*arguments, "--report", str(tmp_path / "report")]) == 0
+    printed = capsys.readouterr().out
+    assert printed.startswith("profile gl, Imaginary <GPU>\n") and "image: SSIM 1.000000, FLIP 0.000000" in printed
+    page = (tmp_path / "report" / "report.html").read_text()
+    assert "Imaginary &lt;GPU&gt;" in page and "image: SSIM 1.000000" in page and "What would explain it" not in page
+    data = json.loads((tmp_path / "report" / "report.json").read_text())
+    assert data["device"] == "Imaginary <GPU>" and data["likeness"][-1]["buffer"] == "image"
+
+
+def test_numbers_that_json_does_not_have(dump, oracle, tmp_path, capsys):
+    """A NaN lies infinitely far beyond its interval."""
+    np.save(dump / "image.npy", np.full_like(oracle["image"], np.nan))
+    assert main(["validate", "sphere", str(dump), *SMALL, "--report", str(tmp_path)]) == 1
+    (image,) = (
+        one for one in json.loads((tmp_path / "report.json").read_text())["buffers"] if one["buffer"] == "image"
+    )
+    assert image["worst"]["ulps"] is None and image["worst"]["got"] == "(nan, nan, nan)"
+    assert "Infinity" not in (tmp_path / "report.json").read_text()
+    capsys.readouterr()
+
+
+def test_files_with_fewer_bits_than_their_textures(dump, oracle, capsys):
+    """What the blur read is not what the file holds; a wrong blur fails nevertheless."""
+    np.save(dump / "lit.npy", oracle["lit"].astype(np.float16))
+    tables = "".join(f'[buffers.{name}]\nfile = "{name}.npy"\n' for name in oracle.buffers if name != "lit")
+    mapping = dump / "mapping.toml"
+    arguments = ["validate", "sphere", str(mapping), *SMALL]
+    lit = '[buffers.lit]\nfile = "lit.npy"\n'
+    mapping.write_text(tables + lit)
+    assert main(arguments) == 1
+    assert "stage scatter_inside of pass blur is the first that is wrong" in capsys.readouterr().out
+    mapping.write_text(f'{tables}{lit}rounded_from = "float32"\n')
+    assert main(arguments) == 0
+    np.save(dump / "scattered.npy", oracle["scattered"] * np.float32(1.01))
+    assert main(arguments) == 1
+    assert "stage scatter_inside of pass blur is the first that is wrong" in capsys.readouterr().out
 
 
 def test_rows_from_the_top(dump, oracle, capsys):
@@ -167,10 +218,3 @@ def test_a_failing_rasterizer_has_no_lines_to_show(tmp_path):
     found = sss_ref.validate(one, other.buffers)
     assert found.finding.section is None and found.culprit.stage == "rasterizer"
     assert "rasterizer" in as_html(found, "title") and not as_json(found)["passed"]
-
-
-def test_steps_of_storage():
-    values = np.float32([0, 1, 3])
-    assert step_of("float32", values).tolist() == [0, 0, 0]
-    assert step_of("float16", values).tolist() == [2.0**-24, 2.0**-10, 3 * 2.0**-10]
-    assert step_of("unorm8", values).tolist() == [1 / 255] * 3

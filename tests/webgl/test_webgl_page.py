@@ -50,8 +50,16 @@ def test_a_page_draws_only_what_is_kept(tmp_path):
     assert outputs == [["light_triangle", "light_distance"], ["lit"]]
 
 
+def test_a_page_draws_registers_on_demand(tmp_path):
+    held = content(webgl.page(loaded(tmp_path, preset="published"), ["exact_lit", "lit"]))
+    assert held["kept"] == ["exact_lit", "lit"]
+    (draw,) = held["passes"][-1]["draws"]
+    assert [output["name"] for output in draw["outputs"]] == ["exact_lit", "lit"]
+    assert "out_exact_lit = exact_lit;" in draw["fragment"]
+
+
 def test_a_page_refuses_what_is_no_buffer(tmp_path):
-    with pytest.raises(SceneError, match=r"^keep: expected names of buffers \(light_triangle, .*\), got 'lid'$"):
+    with pytest.raises(SceneError, match=r"^keep: expected .*names of buffers \(light_triangle, .*\), got 'lid'$"):
         webgl.page(loaded(tmp_path), ["lit", "lid"])
 
 

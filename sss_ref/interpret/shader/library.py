@@ -1,7 +1,8 @@
 """The definitions a shader needs: constants, functions for the types they are called with, structs and stages."""
 
 import inspect
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from itertools import count
 from typing import Any, TypeVar, get_args, get_origin, get_type_hints
 
 from sss_ref.interpret.shader.dialect import Dialect
@@ -79,16 +80,22 @@ class Library:
         return "transform"
 
     def function(self, call: tree.Call, lengths: Mapping[str, int]) -> str:
-        """The name of a function of the language for the types of a call; lengths: those of the caller's arrays."""
+        """The name of a function of the language for the types of a call; lengths: those of the caller's arrays.
+
+        One that says something else than another stage's function of the same name and types gets a number.
+        """
         callee, body = call.callee, call.body
         assert isinstance(callee, Function) and body is not None
         given = zip(body.parameters, call.arguments, strict=True)
         own = {name: lengths[a.name] for name, a in given if isinstance(a, tree.Name) and a.name in lengths}
-        name = self.dialect.function(callee.name + texel_suffix(callee, body))
-        head = self._signature(call.type, name, body.parameters, own)
-        key = (callee, *body.parameters.values(), *own.items())
-        self._define(key, inspect.getdoc(callee.python), head, self._body(body, own))
-        return name
+        first = self.dialect.function(callee.name + texel_suffix(callee, body))
+        kinds = (*body.parameters.values(), *own.items())
+        doc, lines = inspect.getdoc(callee.python), self._body(body, own)
+
+        def is_defined(name: str) -> bool:
+            return self._define((name, *kinds), doc, self._signature(call.type, name, body.parameters, own), lines)
+
+        return next(filter(is_defined, _numbered(first)))
 
     def stage(self, stage: Stage, lengths: Mapping[str, int]) -> None:
         """Define a stage; lengths: uniform array, as the pass names it -> its length (of others: a texture)."""
@@ -101,9 +108,10 @@ class Library:
         doc = f"{inspect.getdoc(stage.python)}\nSource: {stage.source}."
         self._define(stage.python, doc, head, self._body(stage.body, own, struct.__name__))
 
-    def _define(self, key: Any, doc: str | None, head: str, lines: list[str], end: str = "}") -> None:
-        """Add a definition unless it is there."""
-        self._definitions.setdefault(key, [*comment(doc or ""), *braced(head, lines, end)])
+    def _define(self, key: Any, doc: str | None, head: str, lines: list[str], end: str = "}") -> bool:
+        """Add a definition unless there is one with this key; whether that one says the same."""
+        definition = [*comment(doc or ""), *braced(head, lines, end)]
+        return self._definitions.setdefault(key, definition) == definition
 
     def _signature(
         self, result: Any, name: str, parameters: Mapping[str, Any], lengths: Mapping[str, int] | None = None
@@ -142,6 +150,12 @@ class Library:
         head = f"for (int {index} = {start}; {index} < {stop}; {index}++)"
         block = [self._assign(assign, inside, expressions) for assign in statement.block]
         return braced(head, block)
+
+
+def _numbered(name: str) -> Iterator[str]:
+    """The name itself, then name_2, name_3 ..."""
+    yield name
+    yield from (f"{name}_{k}" for k in count(2))
 
 
 def texel_suffix(callee: Function, body: tree.Body) -> str:

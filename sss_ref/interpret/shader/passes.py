@@ -22,21 +22,24 @@ def draws(one: Pass, wanted: Collection[str], most: int = GLSL.most_outputs) -> 
     A draw has the name of its pass. Where there are several, each computes all that its own buffers need, and their
     names end in a number: camera_1, camera_2 ...
     """
-    names = [name for name in one.outputs if name in wanted]
+    names = [name for name in one.values if name in wanted]
     parts = [tuple(names[first : first + most]) for first in range(0, len(names), most)]
     return {f"{one.name}_{k}" if len(parts) > 1 else one.name: part for k, part in enumerate(parts, 1)}
 
 
-def shader_files(method: Method, lengths: Mapping[str, int], dialect: Dialect = GLSL) -> dict[str, str]:
+def shader_files(
+    method: Method, lengths: Mapping[str, int], dialect: Dialect = GLSL, registers: bool = False
+) -> dict[str, str]:
     """All shaders of a method: file name (PASS.vert, and DRAW.frag for each of its draws) -> source.
 
-    lengths: uniform array -> its length, see `array_lengths`. dialect: one of `DIALECTS`.
+    lengths: uniform array -> its length, see `array_lengths`. dialect: one of `DIALECTS`. registers: whether they also
+    write what no buffer keeps.
     """
     files: dict[str, str] = {}
     there: set[str] = set()
     for one in method.passes:
         files[f"{one.name}.vert"] = vertex_shader(one, lengths, dialect)
-        for name, outputs in draws(one, one.outputs, dialect.most_outputs).items():
+        for name, outputs in draws(one, one.values if registers else one.outputs, dialect.most_outputs).items():
             files[f"{name}.frag"] = fragment_shader(one, there, outputs, lengths, dialect)
         there |= set(one.outputs)
     return files
@@ -93,7 +96,7 @@ def fragment_shader(
         definitions=library.text,
         lines=_fragment_lines(one, outputs, reads, dialect),
         mesh=isinstance(one.draw, MeshDraw),
-        outputs={name: one.outputs[name] for name in outputs},
+        outputs={name: one.values[name] for name in outputs},
         read=read,
     )
     return dialect.fragment(parts, dialect)
@@ -128,7 +131,7 @@ def _fragment_lines(one: Pass, outputs: Collection[str], reads: Reads, dialect: 
         *reads.fetches(dialect),
         *_rasterized(one, used, dialect),
         *(line for stage in one.stages for line in _call(stage, reads, used, dialect)),
-        *(f"{OUT}{name} = {_stored(one.outputs[name], dialect.name(name))};" for name in outputs),
+        *(f"{OUT}{name} = {_stored(one.values[name], dialect.name(name))};" for name in outputs),
     ]
 
 

@@ -60,7 +60,7 @@ class BufferTable(Table):
     offset: Number = 0.0
     """See scale."""
     rounded_from: Storage | None = None
-    """The storage of the texture, if the file has fewer bits than the texture had."""
+    """The storage of the texture, if the file has fewer bits than it: what read the texture had all of them."""
     space: Literal["world", "view"] = "world"
     """The space of a position or normal."""
     normals: Literal["xyz", "n*.5+.5", "octahedral"] = "xyz"
@@ -94,6 +94,8 @@ class MappingFile(Table):
 
     origin: Origin | None = None
     """Which row the files begin with whose tables do not say so."""
+    device: str | None = None
+    """What drew the buffers, such as its GL_RENDERER; told in the report."""
     buffers: Annotated[dict[str, BufferTable], requiring(bool, "a table [buffers.NAME]", "add one")]
     """One table for each buffer, by its name."""
 

@@ -55,10 +55,11 @@ class DumpedBuffer:
 
 @dataclass(frozen=True)
 class Dump:
-    """The buffers that were found, in stage order, and the files that were passed over."""
+    """The buffers that were found, in stage order, the files that were passed over, and what drew them, if known."""
 
     buffers: Mapping[str, DumpedBuffer]
     notes: tuple[str, ...] = ()
+    device: str | None = None
 
 
 def read_dump(path: Path, scene: Scene, origin: Origin | None = None) -> Dump:
@@ -72,7 +73,7 @@ def read_dump(path: Path, scene: Scene, origin: Origin | None = None) -> Dump:
     line for every buffer that cannot be used: unknown to the scene's method, unreadable, of another size, or of values
     that its type cannot hold.
     """
-    slots = slots_of(scene.settings)
+    slots = slots_of(scene)
     sources = known_only(sources_of(path, origin), slots)
     if not sources.found:
         raise DumpError(told(str(path), f"a file for a buffer ({', '.join(slots)})", "none", "name the files so"))
@@ -85,7 +86,7 @@ def read_dump(path: Path, scene: Scene, origin: Origin | None = None) -> Dump:
             problems.append(str(error))
     if problems:
         raise DumpError("\n".join(problems))
-    return Dump({name: found[name] for name in slots if name in found}, sources.notes)
+    return Dump({name: found[name] for name in slots if name in found}, sources.notes, sources.device)
 
 
 def _buffer(source: Source, slots: Mapping[str, Slot], parts: Parts, scene: Scene) -> DumpedBuffer:

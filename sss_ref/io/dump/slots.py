@@ -6,9 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from sss_ref.interpret.work import CHANNELS, dtype_of
-from sss_ref.methods.catalogue import method_of
+from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.passes.buffers import described
-from sss_ref.scene.settings import SceneFile
+from sss_ref.scene.load import Scene
 
 
 @dataclass(frozen=True)
@@ -23,6 +23,11 @@ class Slot:
     target: str
 
     @property
+    def shape(self) -> tuple[int, ...]:
+        """(H, W), or (H, W, C) for vectors."""
+        return (self.height, self.width, self.channels)[: 2 if self.channels == 1 else 3]
+
+    @property
     def is_spatial(self) -> bool:
         """Whether it holds points or directions of world space."""
         return described(self.name).unit.endswith("world space")
@@ -33,11 +38,11 @@ class Slot:
         return described(self.name).unit.startswith("unit vector")
 
 
-def slots_of(settings: SceneFile) -> Mapping[str, Slot]:
-    """Buffer -> its form, for all that the scene's method can write, in stage order."""
+def slots_of(scene: Scene) -> Mapping[str, Slot]:
+    """Buffer -> its form, for all that the scene's method can write, registers too, in stage order."""
     slots = {}
-    for one in method_of(settings).passes:
-        size = getattr(settings, one.target)
-        for name, kind in one.outputs.items():
+    for one in method_of_scene(scene).passes:
+        size = getattr(scene.settings, one.target)
+        for name, kind in one.values.items():
             slots[name] = Slot(name, CHANNELS[kind], dtype_of(kind), size.width, size.height, one.target)
     return slots

@@ -27,10 +27,11 @@ class Source:
 
 @dataclass(frozen=True)
 class Sources:
-    """All of a dump, and what was passed over."""
+    """All of a dump, what was passed over, and what drew it, if a mapping file says so."""
 
     found: tuple[Source, ...]
     notes: tuple[str, ...] = ()
+    device: str | None = None
 
 
 def sources_of(path: Path, origin: Origin | None = None) -> Sources:
@@ -45,7 +46,7 @@ def sources_of(path: Path, origin: Origin | None = None) -> Sources:
     for name, table in mapping.buffers.items():
         file = path.parent / table.file
         found.append(Source(name, file, table, table.origin or mapping.origin or origin or _first_row(file), path))
-    return Sources(tuple(found))
+    return Sources(tuple(found), device=mapping.device)
 
 
 def known_only(sources: Sources, names: Iterable[str]) -> Sources:
@@ -66,7 +67,7 @@ def known_only(sources: Sources, names: Iterable[str]) -> Sources:
             problems.append(told(str(source.path), "a file that gives its shape", "raw bytes", "write a mapping file"))
     if problems:
         raise DumpError("\n".join(problems))
-    return Sources(found, (*sources.notes, *notes))
+    return Sources(found, (*sources.notes, *notes), sources.device)
 
 
 def _of_folder(folder: Path, origin: Origin | None) -> Sources:

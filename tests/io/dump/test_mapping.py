@@ -21,6 +21,7 @@ def refusal(tmp_path, text):
 def test_every_key(tmp_path):
     (tmp_path / "m.toml").write_text("""
         origin = "bottom"
+        device = "a GPU"
         [buffers.normal_world]
         file = "g.exr"
         part = "gbuffer"
@@ -41,6 +42,7 @@ def test_every_key(tmp_path):
     mapping = read_mapping(tmp_path / "m.toml")
     normal, depth = mapping.buffers["normal_world"], mapping.buffers["depth"]
     assert (mapping.origin, normal.origin, depth.origin) == ("bottom", "top", None)
+    assert mapping.device == "a GPU"
     assert (normal.file, normal.part, normal.channels) == ("g.exr", "gbuffer", ("n.x", "n.y"))
     assert normal.encoding == "float16"
     assert normal.stored == {

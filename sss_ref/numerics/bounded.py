@@ -1,7 +1,6 @@
-"""The operations of a shader on intervals: what a processor may compute, given what its operands may be.
+"""The operations of a shader on intervals, for a processor of which no more than its error bounds is known.
 
-`Ieee` rounds every operation correctly, so points give points: the oracle's own bits. `Bounded` knows of a processor no
-more than its error bounds: each result encloses everything that it may give.
+What it may compute, given what its operands may be: each result encloses everything that it may give.
 """
 
 import operator
@@ -12,21 +11,21 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.numerics import elementary
-from sss_ref.numerics.directed import LARGEST, SMALLEST_NORMAL, UNIT, downward, nearest, two_sum, ulp, upward
+from sss_ref.numerics.directed import LARGEST, SMALLEST_NORMAL, UNIT, downward, two_sum, ulp, upward
 from sss_ref.numerics.interval import (
     INFINITY,
     Interval,
+    Scaled,
     chosen,
+    directions,
     each_end,
     ends,
     hull,
-    less,
     point,
     product,
     quotient,
-    unbounded_for_nan,
     unbounded_where,
+    without_factor,
 )
 
 FLOAT64_MARGIN = 2.0**-40  # relative; float64 + - * / sqrt and NumPy's exp, exp2 and log2 err by far less
@@ -37,58 +36,6 @@ LARGEST_EXPONENT = 150.0  # 2^-150 is below every float32, so the error of exp2 
 
 
 @dataclass(frozen=True)
-class Ieee:
-    """Every operation correctly rounded, in the order written, subnormals kept (rules A1 to A3)."""
-
-    def add(self, a: Interval, b: Interval) -> Interval:
-        """All x + y."""
-        return self._nearest(each_end(lambda x, y: x + y, a, b))
-
-    def multiply(self, a: Interval, b: Interval) -> Interval:
-        """All x * y."""
-        return self._nearest(product(a, b))
-
-    def divide(self, a: Interval, b: Interval) -> Interval:
-        """All x / y; by the point 0 as IEEE has it, by an interval around 0 anything."""
-        around_zero = (b.low <= 0) & (b.high >= 0) & b.undecided
-        return unbounded_where(around_zero, self._nearest(quotient(a, b)))
-
-    def sqrt(self, x: Interval) -> Interval:
-        """All square roots; of a negative number anything."""
-        return self._nearest(each_end(np.sqrt, x))
-
-    def exp(self, x: Interval) -> Interval:
-        """All e^x."""
-        return self._elementary(elementary.exp_array, x)
-
-    def exp2(self, x: Interval) -> Interval:
-        """All 2^x."""
-        return self._elementary(elementary.exp2_array, x)
-
-    def log2(self, x: Interval) -> Interval:
-        """All log2 x."""
-        return self._elementary(elementary.log2_array, x)
-
-    def pow(self, x: Interval, y: Interval) -> Interval:
-        """All x^y, x >= 0: monotone in each, so the ends are among the corners."""
-        corners = [self._elementary(elementary.pow_array, point(a), point(b)) for a in ends(x) for b in ends(y)]
-        return hull(*corners)
-
-    def representable(self, a: Interval) -> Interval:
-        """The interval itself: every float32 is kept."""
-        return a
-
-    def _elementary(self, function: Any, *arguments: Interval) -> Interval:
-        def at(*values: Any) -> Any:
-            return np.asarray(function(*(np.asarray(value).astype(np.float32) for value in values))).astype(np.float64)
-
-        return unbounded_for_nan(each_end(at, *arguments))
-
-    def _nearest(self, exact: Interval) -> Interval:
-        return unbounded_for_nan(each_end(nearest, exact))
-
-
-@dataclass(frozen=True)
 class Bounded:
     """Operations known by their bounds alone, in ULP of the exact value; the defaults are Vulkan's.
 
@@ -96,7 +43,7 @@ class Bounded:
     relative: what every operation may err besides, as a share of its result.
     smallest_normal: a result closer to 0 may become 0. largest: a result beyond may become infinite.
     largest_denominator: a quotient by more, or by less than smallest_normal, is undefined.
-    sqrt_ulp: that of 1/inversesqrt, the bounds of its two operations together.
+    sqrt_ulp: sqrt errs by no more, nor by more than 1/inversesqrt may.
     exp_ulp, exp_ulp_each: exp and exp2 err by exp_ulp + exp_ulp_each*|x|.
     log_ulp, log_absolute: log2 errs by log_ulp; for x in [0.5, 2] by log_absolute, which is no ULP, if that is more.
     """
@@ -134,7 +81,8 @@ class Bounded:
 
     def sqrt(self, x: Interval) -> Interval:
         """All square roots; of a negative number anything."""
-        return self._within(self.sqrt_ulp, each_end(np.sqrt, x))
+        exact = each_end(np.sqrt, x)
+        return self._rounded(exact.low - self._sqrt_spread(exact.low), exact.high + self._sqrt_spread(exact.high))
 
     def inversesqrt(self, x: Interval) -> Interval:
         """All 1 / sqrt(x); of 0 or a negative number anything."""
@@ -162,26 +110,25 @@ class Bounded:
         return unbounded_where(undefined, self.exp2(self.multiply(y, self.log2(x))))
 
     def dot(self, a: Sequence[Interval], b: Sequence[Interval]) -> Interval:
-        """All x*x' + y*y' + ...: each product and each sum but the last errs by a unit of all terms together.
+        """All x*x' + y*y' + ..., in whatever order, fused or not.
 
-        A sum of squares (b is made of the values of a) is never negative.
+        A sum of squares (b is made of the values of a) is never negative. A factor that all components of a vector
+        share is one of the result.
         """
-        terms = [product(x, y) for x, y in zip(a, b, strict=True)]
-        size, count = _total([term.magnitude for term in terms]), len(terms)
-        share = (count - 1) * UNIT + (2 * count - 1) * self.relative
-        lost = self._lost(size, share, flushes=2 * count)
-        low = _total([term.low for term in terms])
-        high = low if all(term.is_point for term in terms) else _total([term.high for term in terms])
+        lost = self._lost_in_dot([x.magnitude * y.magnitude for x, y in zip(a, b, strict=True)])
+        (factor_a, a), (factor_b, b) = without_factor(a), without_factor(b)
         squares = all(x is y for x, y in zip(a, b, strict=True))
-        return self._rounded(np.maximum(low - lost, 0.0) if squares else low - lost, high + lost)
+        total = each_end(lambda *terms: _total(terms), *map(product, a, b))
+        exact = product(product(factor_a, factor_b), total)
+        return self._rounded(np.maximum(exact.low - lost, 0.0) if squares else exact.low - lost, exact.high + lost)
 
     def normalize(self, v: Sequence[Interval]) -> list[Interval]:
-        """The vectors v / length(v) and v * inversesqrt(dot(v, v)); 0 where v is."""
-        squares = self.dot(v, v)
-        length, inverse = self.sqrt(squares), self.inversesqrt(squares)
-        directions = [hull(self.divide(x, length), self.multiply(x, inverse)) for x in v]
-        zero = point(np.float64(0))
-        return [chosen(less(zero, length), x, zero) for x in directions]
+        """The vectors v / length(v) and v * inversesqrt(dot(v, v)); 0 where v is.
+
+        A processor takes one of the two ways, and the length once: what that errs all components share as a factor.
+        """
+        factor = self._factor_of_length(v)
+        return [self._scaled(x, factor) for x in directions(v)]
 
     def mix(self, a: Interval, b: Interval, t: Interval) -> Interval:
         """All x*(1 - t) + y*t and x + (y - x)*t: both err by two units of both terms, before the sum is rounded."""
@@ -189,10 +136,55 @@ class Bounded:
         return self._around(_between(a, b, t), self._lost(size, 2 * UNIT + 4 * self.relative, flushes=4))
 
     def bilinear(self, lower: Pair, upper: Pair, t: Pair) -> Interval:
-        """All blends of four neighbours, for t in 0 ... 1: three mixes, or one sum with products of weights."""
-        size = reduce(np.maximum, [x.magnitude for x in (*lower, *upper)])
+        """All blends of four neighbours, for t in 0 ... 1: three mixes, or one sum with products of weights.
+
+        In units of the largest corner, before the last sum: four for each product of the one sum and two for its first
+        sums; of a mix two, of the corner or of what it is apart from another, which is more where their signs differ.
+        """
+        corners = (*lower, *upper)
+        size = reduce(np.maximum, [x.magnitude for x in corners])
+        apart = reduce(np.maximum, [x.high for x in corners]) - reduce(np.minimum, [x.low for x in corners])
         exact = _between(_between(*lower, t[0]), _between(*upper, t[0]), t[1])
-        return self._around(exact, self._lost(size, 9 * UNIT + 9 * self.relative, flushes=12))
+        largest = np.maximum(6.0 * size, 4.0 * apart + size)
+        return self._around(exact, self._lost(largest, UNIT + 1.5 * self.relative, flushes=12))
+
+    def _lost_in_dot(self, sizes: Sequence[Any]) -> Any:
+        """What a dot of terms of these sizes errs before its last rounding: each operation an ULP of its result."""
+        size, count = _total(sizes), len(sizes)
+        ulps = _total([_spread(1.0, each) for each in sizes]) + (count - 2) * _spread(1.0, size)
+        return ulps + self._lost(size, (2 * count - 1) * self.relative, flushes=2 * count)
+
+    def _factor_of_length(self, v: Sequence[Interval]) -> Interval:
+        """By how much 1 / length(v) may come out larger or smaller than it is, in either way of `normalize`."""
+        squares, sizes = self.dot(v, v), [x.magnitude**2 for x in v]
+        shortest, longest = np.sqrt(squares.low), np.sqrt(squares.high)
+        of_dot = (self._lost_in_dot(sizes) + self._error(1.0, _total(sizes))) / squares.low
+        of_root = (self._sqrt_spread(longest) + self.relative * longest) / shortest
+        of_inverse = self._error(self.inversesqrt_ulp, 1.0 / shortest) * longest
+        low = np.minimum(1.0 / (1.0 + of_root), 1.0 - of_inverse) / np.sqrt(1.0 + of_dot)
+        high = np.maximum(1.0 / (1.0 - of_root), 1.0 + of_inverse) / np.sqrt(1.0 - of_dot)
+        undefined = ~((low > 0) & (high > 0) & (squares.high <= self.largest))
+        factor = unbounded_where(undefined, Interval(low, high))
+        return chosen(point(squares.high > 0), factor, point(np.float64(1)))
+
+    def _scaled(self, direction: Interval, factor: Interval) -> Interval:
+        """A component of a unit vector: its direction, the factor, and the last rounding, which is its own."""
+        size = direction.magnitude * factor.high
+        flushed = np.where(size < 2.0 * self.smallest_normal, size, 0.0)
+        error = self._error(max(self.divide_ulp, 1.0), size) + flushed
+        share = Interval(direction.low - error / factor.low, direction.high + error / factor.low)
+        whole = product(factor, share)
+        near = self.representable(Interval(downward(whole.low), upward(whole.high)))
+        return Scaled(near.low, near.high, share, factor)
+
+    def _sqrt_spread(self, root: Any) -> Any:
+        """How much a square root errs in absolute terms."""
+        composed = _spread(self.divide_ulp, root) + _spread(self.inversesqrt_ulp, 1.0 / root) * root * root
+        return np.fmin(_spread(self.sqrt_ulp, root), composed * (1.0 + MARGIN))
+
+    def _error(self, ulps: float, size: Any) -> Any:
+        """What an operation errs in absolute terms on results of this size."""
+        return _spread(ulps, size) + self.relative * size
 
     def _exponential(self, function: Any, x: Interval) -> Interval:
         exact = each_end(function, x)
@@ -255,6 +247,11 @@ def _between(a: Interval, b: Interval, t: Interval) -> Interval:
 def _blend(a: Interval, b: Interval, weight: Any) -> Interval:
     of_a, of_b = product(a, point(1.0 - weight)), product(b, point(weight))
     return each_end(operator.add, of_a, of_b)
+
+
+def _ulp_near(size: Any) -> Any:
+    """The ULP of all results that are about as large, in absolute terms."""
+    return ulp(size * (1.0 + MARGIN)) * (1.0 + MARGIN)
 
 
 def _total(terms: Sequence[Any]) -> Any:
