@@ -27,6 +27,14 @@ def two_slabs():
     return np.concatenate([near, far * (1.5, 1.5, 1.0)]), np.concatenate([triangles, triangles + len(near)])
 
 
+def two_squares():
+    """Two squares, one behind the other, with the same UVs: positions, triangles, uvs."""
+    square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], np.float64)
+    positions = np.concatenate([np.c_[square, np.full(4, z)] for z in (0.5, -0.5)])
+    triangles = np.array([(0, 1, 2), (0, 2, 3), (4, 5, 6), (4, 6, 7)])
+    return positions, triangles, np.tile((square + 1) / 2, (2, 1))
+
+
 def wall():
     """A square of half width 8 in the plane z = 0 that faces +Z: it fills the view of a camera near it."""
     return np.array([(-8, -8, 0), (8, -8, 0), (8, 8, 0), (-8, 8, 0)], np.float64), np.array([(0, 1, 2), (0, 2, 3)])

@@ -44,12 +44,17 @@ def run_fragments(work: Work, pool: Executor | None) -> None:
     """Run the stages of a pass on all its fragments and fill its outputs; array code has no use for the pool."""
     for name, buffer in work.outputs.items():
         buffer[...] = work.backgrounds[name] if buffer.ndim == 3 else work.backgrounds[name][0]
-    rows, columns = np.nonzero(work.fragments.where)
-    for start in range(0, len(rows), CHUNK):
-        at = rows[start : start + CHUNK], columns[start : start + CHUNK]
+    for at in in_chunks(work.fragments.where):
         values = stage_values(work, *at)
         for name, buffer in work.outputs.items():
             store(buffer, *at, values[name])
+
+
+def in_chunks(where: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """The rows and columns of the pixels of a mask, bool (H, W), at most CHUNK at a time."""
+    rows, columns = np.nonzero(where)
+    for start in range(0, len(rows), CHUNK):
+        yield rows[start : start + CHUNK], columns[start : start + CHUNK]
 
 
 def stage_values(work: Work, rows: np.ndarray, columns: np.ndarray) -> dict[str, Any]:

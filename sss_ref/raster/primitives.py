@@ -41,9 +41,7 @@ def assemble(
     """
     primitives, _ = place(clip_position, attributes, triangles, viewport)
     kept = drawable(primitives)
-    if kept.all():
-        return primitives
-    return primitives._replace(corners=primitives.corners[kept], triangle=primitives.triangle[kept])
+    return primitives if kept.all() else only(primitives, kept)
 
 
 def place(
@@ -57,6 +55,11 @@ def place(
     project(pieces.clip_position, (viewport.width, viewport.height, viewport.step), snapped, depth, inverse_w)
     placed = Primitives(pieces.corners, pieces.triangle, snapped, depth, inverse_w, pieces.attributes)
     return placed, pieces.clip_position
+
+
+def only(primitives: Primitives, kept: np.ndarray) -> Primitives:
+    """Some of the pieces, bool (P,), and all vertices."""
+    return primitives._replace(corners=primitives.corners[kept], triangle=primitives.triangle[kept])
 
 
 def drawable(primitives: Primitives) -> np.ndarray:

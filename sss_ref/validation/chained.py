@@ -9,7 +9,7 @@ from typing import Any, get_origin
 
 import numpy as np
 
-from sss_ref.interpret.arrays import CHUNK, draw_values, stage_input
+from sss_ref.interpret.arrays import draw_values, in_chunks, stage_input
 from sss_ref.interpret.choices import Texels
 from sss_ref.interpret.profile import Profile
 from sss_ref.interpret.work import CHANNELS, Work, dtype_of, shape_of
@@ -53,9 +53,7 @@ def _run_rounds(pass_drawn: Drawn, one: Pass, bounds: Bounds, profile: Profile) 
     for _ in range(one.rounds):
         fed = {name: bounds[own] for name, own in one.feedback.items()}
         outputs = {name: (bounds[name][0].copy(), bounds[name][1].copy()) for name in one.values if name in bounds}
-        rows, columns = np.nonzero(pass_drawn.work.fragments.where)
-        for start in range(0, len(rows), CHUNK):
-            at = rows[start : start + CHUNK], columns[start : start + CHUNK]
+        for at in in_chunks(pass_drawn.work.fragments.where):
             _run(pass_drawn, at, {**bounds, **fed}, outputs, profile)
         bounds |= outputs
 

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from sss_ref.validation.outcomes import distance
 from sss_ref.validation.rebased import Check
 
 
@@ -18,9 +19,8 @@ def passages(check: Check) -> Iterator[tuple[str, float]]:
 
 def within(check: Check, got: np.ndarray, expected: np.ndarray) -> np.ndarray:
     """Bool (H, W): where two versions of a buffer lie within its reach of each other."""
-    with np.errstate(all="ignore"):
-        apart = np.abs(np.atleast_3d(got).astype(np.float64) - np.atleast_3d(expected))
-    return (apart <= np.atleast_3d(check.reach)).all(axis=-1)
+    near = distance(np.atleast_3d(got), np.atleast_3d(expected)) <= np.atleast_3d(check.reach)
+    return np.logical_and.reduce(near, axis=-1)
 
 
 def _share(holds: np.ndarray, where: np.ndarray) -> float:

@@ -20,6 +20,7 @@ from sss_ref.validation.acceptance import acceptance_of
 from sss_ref.validation.drawn import Buffers, Drawn, Rebased, Seen, stacked
 from sss_ref.validation.hypotheses import NEVER_WRONG
 from sss_ref.validation.mutants import Mutant, mutants
+from sss_ref.validation.outcomes import distance
 from sss_ref.validation.rebased import Judgement, Step, walk
 
 SAMPLE = 1500  # pixels of a pass on which errors are tried
@@ -76,9 +77,7 @@ class Trial:
         return any(self._outside(name, written[name]) for name in self.expected)
 
     def _outside(self, name: str, value: Any) -> bool:
-        with np.errstate(all="ignore"):
-            apart = np.abs(stacked(value).astype(np.float64) - self.expected[name])
-        return bool((~(apart <= self.reach[name])).any())
+        return bool((~(distance(stacked(value), self.expected[name]) <= self.reach[name])).any())
 
     def changes(self, written: Mapping[str, Any]) -> bool:
         """Whether this differs at all."""

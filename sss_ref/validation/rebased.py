@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.interpret.arrays import CHUNK, draw_values, stage_input
+from sss_ref.interpret.arrays import draw_values, in_chunks, stage_input
 from sss_ref.interpret.choices import Texels, componentwise
 from sss_ref.interpret.profile import Profile
 from sss_ref.interpret.work import Fragments, buffer_value
@@ -104,9 +104,7 @@ def _checks_of_pass(rendering: Rebased, one: Pass, oracle: Result, dumped: Buffe
         return
     where = fragments.where if pass_drawn.visible else _same_triangle(one, fragments, oracle, dumped)
     found = {name: _empty(dumped[name]) for name in one.values if name in dumped and name not in one.draw.outputs}
-    rows, columns = np.nonzero(where)
-    for start in range(0, len(rows), CHUNK):
-        at = rows[start : start + CHUNK], columns[start : start + CHUNK]
+    for at in in_chunks(where):
         _run(walk(pass_drawn, at, dumped, how), at, found)
     writers = {name: stage.name for stage in one.stages for name in stage.writes.values()}
     for name, (expected, reach, undecided) in found.items():

@@ -99,7 +99,7 @@ def judge(
         compared[check.buffer] = check.where
         if explain and finding is None and not verdict.passed:
             with clock.phase("hypotheses"):
-                finding = _finding(oracle, buffers, how, check, verdict)
+                finding = _finding(Rebased(oracle, buffers, kind, seen), how, check, verdict)
     method = method_of_scene(oracle.scene)
     missing = tuple(name for name in method.outputs if name not in buffers)
     with clock.phase("power"):
@@ -180,10 +180,10 @@ def _check_something_is_drawn(oracle: Result, only: np.ndarray | None) -> None:
         raise SceneError(told(where, expected, "none", "change the view or the region; a blank picture proves nothing"))
 
 
-def _finding(oracle: Result, buffers: Buffers, how: Judgement, check: Check, verdict: Verdict) -> Finding:
+def _finding(rendering: Rebased, how: Judgement, check: Check, verdict: Verdict) -> Finding:
     """Look closer at what is wrong."""
-    (one,) = (each for each in method_of_scene(oracle.scene).passes if each.name == check.pass_name)
-    pass_drawn = Rebased(oracle, buffers, how.profile).drawn(one)
+    (one,) = (each for each in method_of_scene(rendering.scene).passes if each.name == check.pass_name)
+    pass_drawn, buffers = rendering.drawn(one), rendering.dumped
     found = hypotheses(check, pass_drawn, buffers, how, _all_stages()) if check.where.any() else []
     section = worst_pixel(check, verdict.worst.at, pass_drawn, buffers, how) if verdict.worst else None
     return Finding(check, tuple(found), section)

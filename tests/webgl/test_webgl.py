@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from chromium import SUBPIXEL_BITS, needs_chromium
-from scenes import around, sphere, written
+from scenes import around, sphere, two_squares, written
 
 from sss_ref import webgl
 from sss_ref.errors import ShaderError
@@ -85,10 +85,7 @@ def test_the_printed_figures(tmp_path):
 @pytest.mark.parametrize("overlap", ["first", "last"])
 def test_the_policy_decides_which_of_two_triangles_owns_a_texel(tmp_path, overlap):
     """Two squares, one behind the other, with the same UVs: in the mode `distance` they differ."""
-    square = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], np.float64)
-    positions = np.concatenate([np.c_[square, np.full(4, z)] for z in (0.5, -0.5)])
-    triangles = np.array([(0, 1, 2), (0, 2, 3), (4, 5, 6), (4, 6, 7)])
-    path = written(tmp_path / "squares.obj", positions, triangles, np.tile((square + 1) / 2, (2, 1)))
+    path = written(tmp_path / "squares.obj", *two_squares())
     layout = {"width": 32, "height": 32, "overlap": overlap, "mode": "distance"}
     scene = load_scene(around(path, 32, method="texture_space", irradiance_map=layout))
     expected = render(scene, "arrays", threads=1, keep=["irradiance"], subpixel_bits=SUBPIXEL_BITS)

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from sss_ref.raster.primitives import Primitives, drawable
+from sss_ref.raster.primitives import Primitives, drawable, only
 from sss_ref.raster.rasterize import visibility
 from sss_ref.raster.viewport import Viewport
 from sss_ref.validation.rasterizer.visible import Visible
@@ -20,8 +20,9 @@ Drawing = tuple[str, Primitives, Viewport, bool]  # in words, what is drawn, int
 def mishaps(seen: Visible, name: str, got: np.ndarray, wrong: np.ndarray) -> Iterator[tuple[str, float]]:
     """Every mishap, and the share of the pixels of a buffer (H, W) that it explains, half of it of the wrong ones."""
     for text, primitives, viewport, last in _drawings(seen):
-        piece, depth = visibility(_only(primitives, drawable(primitives)), viewport, None, later_wins=last)
-        shown = np.append(primitives.triangle[drawable(primitives)], np.int32(-1))[piece]
+        drawn = only(primitives, drawable(primitives))
+        piece, depth = visibility(drawn, viewport, None, later_wins=last)
+        shown = np.append(drawn.triangle, np.int32(-1))[piece]
         if name == seen.draw.depth:
             with np.errstate(invalid="ignore"):
                 same = np.abs(got - depth) <= SAME_DEPTH
@@ -34,10 +35,10 @@ def _drawings(seen: Visible) -> Iterator[Drawing]:
     primitives, viewport, layout = seen.boxes.primitives, seen.boxes.viewport, seen.draw.layout
     step, snapped = viewport.step, primitives.snapped
     turn = _turns(primitives)
-    yield "triangles that turn clockwise in the window are culled", _only(primitives, turn > 0), viewport, layout
+    yield "triangles that turn clockwise in the window are culled", only(primitives, turn > 0), viewport, layout
     yield (
         "triangles that turn counter-clockwise in the window are culled",
-        _only(primitives, turn < 0),
+        only(primitives, turn < 0),
         viewport,
         layout,
     )
@@ -76,11 +77,6 @@ def _drawings(seen: Visible) -> Iterator[Drawing]:
 def _at(primitives: Primitives, snapped: np.ndarray) -> Primitives:
     """The same with its vertices elsewhere."""
     return primitives._replace(snapped=np.ascontiguousarray(snapped, np.int32))
-
-
-def _only(primitives: Primitives, kept: np.ndarray) -> Primitives:
-    """Some of its pieces."""
-    return primitives._replace(corners=primitives.corners[kept], triangle=primitives.triangle[kept])
 
 
 def _turns(primitives: Primitives) -> np.ndarray:

@@ -7,6 +7,7 @@ from sss_ref.interpret.work import Fragments
 from sss_ref.language.pipeline import MeshDraw
 from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.raster.primitives import drawable, place
+from sss_ref.raster.primitives import only as primitives_only
 from sss_ref.raster.rasterize import visibility
 from sss_ref.rendering import Rendering, varying_columns
 
@@ -26,8 +27,7 @@ class Device(Rendering):
         viewport = self.viewport(one)
         primitives, placed = place(clip_position, attributes, self.scene.mesh.triangles, viewport)
         primitives = self.changed(primitives, placed, viewport)
-        kept = drawable(primitives)
-        primitives = primitives._replace(corners=primitives.corners[kept], triangle=primitives.triangle[kept])
+        primitives = primitives_only(primitives, drawable(primitives))
         piece, depth = visibility(primitives, viewport, None)
         return Fragments(*self.size(one), primitives, piece, viewport.step, varyings), {one.draw.depth: depth}
 
@@ -109,7 +109,7 @@ def only(kept):
     def changed(primitives, placed, viewport):
         a, b, c = (primitives.snapped[primitives.corners[:, k]].astype(np.int64).T for k in range(3))
         there = kept((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]))
-        return primitives._replace(corners=primitives.corners[there], triangle=primitives.triangle[there])
+        return primitives_only(primitives, there)
 
     return changed
 
@@ -140,6 +140,6 @@ def without(triangle):
 
     def changed(primitives, placed, viewport):
         there = primitives.triangle != triangle
-        return primitives._replace(corners=primitives.corners[there], triangle=primitives.triangle[there])
+        return primitives_only(primitives, there)
 
     return changed
