@@ -10,7 +10,7 @@ import argparse
 import numpy as np
 
 import sss_ref
-from sss_ref.io.png import srgb8
+from sss_ref.pictures.png_file import srgb8
 
 FAULTS = {
     "exponent .601 for .6": ("figure3_with", {"translucency.exponent": 0.601}),

@@ -14,11 +14,11 @@ import numpy as np
 
 from sss_ref import gl, webgl
 from sss_ref.errors import MeshError, SceneError
-from sss_ref.methods.catalogue import method_of
-from sss_ref.rendering import render
+from sss_ref.mesh.triangles import load_mesh
+from sss_ref.rendering.fold import render
+from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import Scene, load_scene
-from sss_ref.scene.mesh import load_mesh
-from sss_ref.scene.shipped import scene_names
+from sss_ref.scene_file.shipped import scene_names
 
 Buffers = Mapping[str, np.ndarray]
 DEVICES: dict[str, tuple[int, Callable[[Scene, list[str]], Buffers]]] = {  # name -> subpixel bits, what draws

@@ -2,7 +2,7 @@
 
     python benchmarks/mutants.py figure3_with figure5 figure4_wax --size 96
 
-A mutant is a stage with one place changed (sss_ref.validation.mutants). Registers are drawn too, so that each stage
+A mutant is a stage with one place changed (sss_ref.validation.cause.mutants). Registers are drawn too, so that each stage
 gives something that can be judged. Printed are the survivors, and how many were found at the right stage, elsewhere, or
 not at all; mutants that draw the same bits as the right stage count apart.
 """
@@ -17,8 +17,8 @@ from sss_ref.errors import ShaderError
 from sss_ref.gl import draw
 from sss_ref.language import Stage
 from sss_ref.language.pipeline import REGISTERS
-from sss_ref.methods.catalogue import method_of
-from sss_ref.validation.mutants import mutants
+from sss_ref.scene.catalogue import method_of
+from sss_ref.validation.cause.mutants import mutants
 
 KEPT = ("all", REGISTERS)
 

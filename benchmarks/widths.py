@@ -17,15 +17,15 @@ import numpy as np
 
 import sss_ref
 from sss_ref.interpret.arrays import CHUNK
-from sss_ref.interpret.choices import CHOICE, TEXEL
-from sss_ref.interpret.profile import Profile
+from sss_ref.interpret.intervals.choices import CHOICE, TEXEL
+from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.language.types import components
-from sss_ref.methods.catalogue import method_of_scene
-from sss_ref.result import Result
-from sss_ref.scene.shipped import scene_names
-from sss_ref.validation.acceptance import accepted
+from sss_ref.rendering.result import Result
+from sss_ref.scene.catalogue import method_of_scene
+from sss_ref.scene_file.shipped import scene_names
+from sss_ref.validation.accept.acceptance import accepted
+from sss_ref.validation.accept.rebased import Judgement, Rebased, Step, stacked, walk
 from sss_ref.validation.profile_file import profile_of
-from sss_ref.validation.rebased import Judgement, Rebased, Step, stacked, walk
 
 TARGETS = ("camera", "shadow_map", "irradiance_map")
 SHARES = ("p50", "p95", "p99", "of buffer", "alone", "choice", "texel", "unbounded")

@@ -41,6 +41,6 @@ assert np.array_equal(thickness, result["thickness"])
 # %%
 from PIL import Image
 
-from sss_ref.io.png import srgb8
+from sss_ref.pictures.png_file import srgb8
 
 Image.fromarray(srgb8(result.image)[::-1])

@@ -28,7 +28,8 @@ import small_scenes
 
 import sss_ref
 from sss_ref.language import vec3
-from sss_ref.passes import encoding, irradiance, phong, shadow_map
+from sss_ref.methods.published import byte_targets as encoding
+from sss_ref.passes import irradiance, phong, shadow_map
 
 HEAD = "bust"
 

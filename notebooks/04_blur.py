@@ -25,7 +25,7 @@ import small_scenes
 import sss_ref
 from sss_ref.language import Array, Texture, ivec2
 from sss_ref.passes import blur
-from sss_ref.scene.kernels import HBH09, TABLE1
+from sss_ref.scene_file.kernels import HBH09, TABLE1
 
 HEAD = "bust"
 

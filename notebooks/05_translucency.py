@@ -24,9 +24,9 @@ import small_scenes
 from rerun import rerun
 
 import sss_ref
-from sss_ref.io.png import plain8
 from sss_ref.language import normalize, vec3
 from sss_ref.passes import shadow_map, translucency
+from sss_ref.pictures.png_file import plain8
 
 HEAD = "bust"
 

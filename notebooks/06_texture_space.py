@@ -24,8 +24,8 @@ import small_scenes
 
 import sss_ref
 from sss_ref.language import mat3, mat4, vec2, vec3
+from sss_ref.mesh.uv_facts import uv_facts
 from sss_ref.passes import texture_image, vertex
-from sss_ref.scene.uv_facts import uv_facts
 
 HEAD = "bust"
 MAP = {"irradiance_map.width": 512, "irradiance_map.height": 512}

@@ -23,7 +23,7 @@ import numpy as np
 import small_scenes
 
 import sss_ref
-from sss_ref.scene.kernels import HBH09
+from sss_ref.scene_file.kernels import HBH09
 
 HEAD = "bust"
 METHODS = ("screen_space", "texture_space")

@@ -24,8 +24,8 @@ import small_scenes
 from rerun import inputs_of
 
 import sss_ref
-from sss_ref.io.diff import bits
 from sss_ref.language import dot, normalize, pow, vec3
+from sss_ref.results.diff import bits
 
 HEAD = "bust"
 
@@ -114,7 +114,7 @@ print(f"np.power misses the nearest float32 for {missed}")
 # is added. `Profile.arithmetic` is that text of the standard as intervals.
 
 # %%
-from sss_ref.interpret.profile import PROFILES
+from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.numerics.interval import point
 
 x = np.linspace(0.5, 1, 500).astype(np.float32)
@@ -173,7 +173,7 @@ assert 0 < len(turned) < 0.02 * all_drawn
 # "about 1 part in $10^5$" on top.
 
 # %%
-from sss_ref.interpret.interval import run_intervals
+from sss_ref.interpret.intervals.evaluate import run_intervals
 from sss_ref.passes import phong, translucency
 
 

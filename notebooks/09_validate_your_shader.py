@@ -25,7 +25,7 @@ import small_scenes
 from dumps import three_dumps
 
 import sss_ref
-from sss_ref.io.diff import differing_pixels
+from sss_ref.results.diff import differing_pixels
 
 HEAD = "bust"
 SIZE = 256
@@ -127,7 +127,7 @@ assert consequences(dump, report) == (4, 1)
 
 # %%
 from sss_ref.passes import phong, shadow_map
-from sss_ref.validation.mutants import mutants
+from sss_ref.validation.cause.mutants import mutants
 
 
 def drawn_with(stage, wrong):

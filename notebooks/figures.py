@@ -20,9 +20,9 @@ from matplotlib.figure import Figure
 from sss_ref.explanation.explain import Explanation
 from sss_ref.explanation.page import html
 from sss_ref.explanation.rows import sections
-from sss_ref.io.png import srgb8
-from sss_ref.io.tiles import RAMP, hashed_colours, uv_colours
 from sss_ref.language import vec3
+from sss_ref.pictures.png_file import srgb8
+from sss_ref.pictures.tiles import RAMP, hashed_colours, uv_colours
 
 INK, FAINT = "#22262e", "#9aa0aa"
 BLUE, TEAL, GREEN, AMBER, RED = "#3b5fae", "#1f8a94", "#4e9f50", "#d99522", "#c6483b"

@@ -15,27 +15,27 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from sss_ref.errors import DumpError, MeshError, RenderError, SceneError, SssRefError, StageError
     from sss_ref.explanation.explain import explain
-    from sss_ref.own_stage import with_stage
-    from sss_ref.rendering import render
-    from sss_ref.result import Result
+    from sss_ref.rendering.fold import render
+    from sss_ref.rendering.result import Result
     from sss_ref.scene.load import Scene, load_scene
+    from sss_ref.scene.own_stage import with_stage
     from sss_ref.validation.stage_by_stage import assert_valid, validate
 
 _HOMES = {
     "DumpError": "sss_ref.errors",
     "MeshError": "sss_ref.errors",
     "RenderError": "sss_ref.errors",
-    "Result": "sss_ref.result",
+    "Result": "sss_ref.rendering.result",
     "Scene": "sss_ref.scene.load",
     "SceneError": "sss_ref.errors",
     "SssRefError": "sss_ref.errors",
     "StageError": "sss_ref.errors",
     "explain": "sss_ref.explanation.explain",
     "load_scene": "sss_ref.scene.load",
-    "render": "sss_ref.rendering",
+    "render": "sss_ref.rendering.fold",
     "assert_valid": "sss_ref.validation.stage_by_stage",
     "validate": "sss_ref.validation.stage_by_stage",
-    "with_stage": "sss_ref.own_stage",
+    "with_stage": "sss_ref.scene.own_stage",
 }
 
 __all__ = [

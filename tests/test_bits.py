@@ -9,7 +9,7 @@ from fresh_process import hashes_elsewhere, machine_code
 from numpy._core import _multiarray_umath as numpy_build
 from scenes import around, cube, sphere, written
 
-from sss_ref.rendering import render
+from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 
 # What this NumPy can choose at run time and this processor has.

@@ -9,7 +9,7 @@ from fresh_process import hashes_elsewhere, machine_code
 from scenes import around, cube, sphere, written
 
 import sss_ref
-from sss_ref.rendering import render
+from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 
 KEEP = ["position_world"]

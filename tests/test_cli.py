@@ -13,10 +13,10 @@ import sss_ref
 from sss_ref.cli import main
 from sss_ref.cli.options import Changes, Execution
 from sss_ref.errors import SceneError
-from sss_ref.io import verify as verify_module
-from sss_ref.io.manifest import read_manifest
-from sss_ref.io.verify import Verdict
-from sss_ref.scene import shipped
+from sss_ref.results import verify as verify_module
+from sss_ref.results.manifest import read_manifest
+from sss_ref.results.verify import Verdict
+from sss_ref.scene_file import shipped
 
 TETRAHEDRON = """v 0 0 0
 v 1 0 0
@@ -169,7 +169,7 @@ def test_scenes_are_listed_with_their_first_comment(capsys):
 
 
 def test_warmup_compiles_every_preset(capsys, monkeypatch):
-    from sss_ref import rendering
+    from sss_ref.rendering import fold as rendering
 
     render, seen = rendering.render, []
 
@@ -186,7 +186,7 @@ def test_warmup_compiles_every_preset(capsys, monkeypatch):
 
 def test_cold_cache_is_announced(out, capsys, monkeypatch):
     for cold, told in ((True, "compiling kernels (once per version; about 15 s) ...\n"), (False, "")):
-        monkeypatch.setattr("sss_ref.compiled.is_cold", lambda cold=cold: cold)
+        monkeypatch.setattr("sss_ref.cache.compiled.is_cold", lambda cold=cold: cold)
         assert main(["render", "nowhere", "-o", str(out)]) == 2
         assert capsys.readouterr().err.partition("error:")[0] == told
 

@@ -2,9 +2,9 @@ import pytest
 
 from sss_ref.cli import main
 from sss_ref.interpret.shader import DIALECTS, array_lengths, shader_files, stage_source
-from sss_ref.methods.catalogue import method_of
 from sss_ref.passes.phong import phong_shading
 from sss_ref.passes.translucency import translucency_beer
+from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import load_scene
 from sss_ref.scene.uniforms import uniforms
 from sss_ref.webgl import page

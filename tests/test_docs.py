@@ -12,10 +12,10 @@ from scenes import settings_with
 from test_structure import PACKAGE, SOURCES, STAGES
 
 import sss_ref
-from sss_ref.io.dump.mapping import BufferTable
+from sss_ref.dump.mapping import BufferTable
 from sss_ref.rules import RULES_VERSION
-from sss_ref.scene import viewpoints
-from sss_ref.scene.kernels import HBH09
+from sss_ref.scene_file import viewpoints
+from sss_ref.scene_file.kernels import HBH09
 
 DOCS = Path(__file__).parents[1] / "docs"
 sys.path.insert(0, str(DOCS / "generate"))
@@ -140,7 +140,7 @@ def test_no_docstring_explains_what_is_no_argument(source):
 
 
 def test_there_are_documented_functions():
-    assert {"sss_ref.render", "sss_ref.gl.draw", "sss_ref.io.dump.read.read_dump"} <= {*FUNCTIONS}
+    assert {"sss_ref.render", "sss_ref.gl.draw", "sss_ref.dump.read.read_dump"} <= {*FUNCTIONS}
 
 
 def test_arguments_become_fields():

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sss_ref.rendering import render
+from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 
 SMALL = {f"{table}.{side}": 256 for table in ("camera", "shadow_map") for side in ("width", "height")}

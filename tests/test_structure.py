@@ -17,10 +17,10 @@ from scenes import settings_with
 import sss_ref
 import sss_ref.passes
 from sss_ref.language.stage import Stage
-from sss_ref.methods.catalogue import METHODS, method_of
 from sss_ref.passes.buffers import BUFFERS, described, entry_of
-from sss_ref.scene import settings, viewpoints
-from sss_ref.scene.presets import FIXED, ONLY_PUBLISHED
+from sss_ref.scene.catalogue import METHODS, method_of
+from sss_ref.scene_file import settings, viewpoints
+from sss_ref.scene_file.presets import FIXED, ONLY_PUBLISHED
 
 PACKAGE = Path(sss_ref.__file__).parent
 SOURCES = sorted(path for path in PACKAGE.rglob("*.py") if "data" not in path.relative_to(PACKAGE).parts)

@@ -10,7 +10,7 @@ from pathlib import Path
 import sss_ref
 from sss_ref.rules import RULES_VERSION
 from sss_ref.scene import scene_names
-from sss_ref.scene.presets import FIXED
+from sss_ref.scene_file.presets import FIXED
 
 GOLDEN = Path(__file__).parents[1] / "golden.json"
 SMALL = {f"{table}.{side}": 128 for table in ("camera", "shadow_map") for side in ("width", "height")}

@@ -11,10 +11,10 @@ import numpy as np
 from PIL import Image
 
 import sss_ref
-from sss_ref.io.overview import write_overview
-from sss_ref.io.png import encoding_of, write_png
-from sss_ref.samples import render_samples
-from sss_ref.scene.kernels import TABLE1
+from sss_ref.pictures.overview import write_overview
+from sss_ref.pictures.png_file import encoding_of, write_png
+from sss_ref.rendering.samples import render_samples
+from sss_ref.scene_file.kernels import TABLE1
 
 ROOT = Path(__file__).parents[2]
 IMAGES = ROOT / "docs" / "images"

@@ -7,9 +7,9 @@ from typing import Any, Literal, get_args, get_origin
 from markup import directive, prose
 from pydantic.fields import FieldInfo
 
-from sss_ref.io.dump import mapping
-from sss_ref.scene import quantities, settings
-from sss_ref.scene.presets import PRESETS
+from sss_ref.dump import mapping
+from sss_ref.scene_file import quantities, settings
+from sss_ref.scene_file.presets import PRESETS
 
 WORDS = {  # how a reader calls the type of a value
     str: "text",

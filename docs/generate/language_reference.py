@@ -7,7 +7,7 @@ from typing import Any, TypeVar, get_args, get_type_hints
 from markup import directive, prose
 
 from sss_ref import language
-from sss_ref.language.primitives import Primitive
+from sss_ref.language.intrinsics import Primitive
 from sss_ref.language.stage import Function
 from sss_ref.language.types import Vector
 from sss_ref.language.typing_rules import type_name

@@ -4,7 +4,7 @@ from typing import get_type_hints
 
 from keys import entry
 
-from sss_ref.io.dump.mapping import BufferTable, MappingFile
+from sss_ref.dump.mapping import BufferTable, MappingFile
 
 HEAD = """# Mapping file reference
 

@@ -10,7 +10,7 @@ import mapping_reference
 import scene_reference
 import stage_reference
 
-from sss_ref.compiled import fingerprint
+from sss_ref.cache.compiled import fingerprint
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 

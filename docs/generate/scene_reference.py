@@ -8,9 +8,9 @@ from keys import entry, preset_value
 from markup import directive, prose, table
 from pydantic import BaseModel
 
-from sss_ref.scene import viewpoints
-from sss_ref.scene.presets import PRESETS
-from sss_ref.scene.validation import TABLES
+from sss_ref.scene_file import viewpoints
+from sss_ref.scene_file.presets import PRESETS
+from sss_ref.scene_file.reading import TABLES
 
 HEAD = """# Scene file reference
 

@@ -3,9 +3,7 @@
 import inspect
 from collections.abc import Iterator
 from functools import cache
-from importlib import import_module
 from itertools import groupby
-from pkgutil import iter_modules
 from types import ModuleType
 from typing import Any, get_type_hints
 
@@ -13,27 +11,26 @@ import scene_reference
 from house_docstrings import comments
 from markup import fenced, one_line, prose, table
 
-import sss_ref.passes
 from sss_ref.interpret.shader import HLSL, stage_source
 from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL
 from sss_ref.language.stage import Function, Stage
 from sss_ref.language.typing_rules import type_name
+from sss_ref.methods.stages import stage_modules
 from sss_ref.passes.buffers import BUFFERS, is_listed
-from sss_ref.scene.kernels import TABLE1
 from sss_ref.scene.load import load_scene
 from sss_ref.scene.uniforms import uniforms
+from sss_ref.scene_file.kernels import TABLE1
 
 ARRAYS = dict.fromkeys(("tap_offset", "tap_weight"), len(TABLE1))  # the uniform arrays of a shader, and their length
 ORDER = (  # of the modules, along the way of the light
     *("vertex", "shadow_map", "camera", "phong", "translucency", "blur", "composite"),
-    *("irradiance", "texture_image", "lights", "encoding", "published"),
+    *("irradiance", "texture_image", "light_sum", "byte_targets", "printed_stages"),
 )
 
 
 def modules() -> dict[str, ModuleType]:
     """Name -> module, of those that define stages, in the order of the passes."""
-    names = [each.name for each in iter_modules(sss_ref.passes.__path__)]
-    found = {name: import_module(f"sss_ref.passes.{name}") for name in sorted(names, key=place)}
+    found = dict(sorted(stage_modules().items(), key=lambda item: place(item[0])))
     return {name: module for name, module in found.items() if stages_of(module)}
 
 

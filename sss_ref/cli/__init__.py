@@ -7,8 +7,8 @@ from sss_ref.cli.comparing import diff, verify
 from sss_ref.cli.console import BAD_INPUT, err
 from sss_ref.cli.explaining import explain
 from sss_ref.cli.listing import info, scenes
-from sss_ref.cli.rendering import render, warmup
-from sss_ref.cli.shaders import bundle, glsl, webgl
+from sss_ref.cli.render_commands import render, warmup
+from sss_ref.cli.shader_commands import bundle, glsl, webgl
 from sss_ref.cli.validating import validate
 from sss_ref.errors import SssRefError
 
@@ -16,7 +16,7 @@ PURPOSE = "The CPU reference for real-time subsurface scattering."
 
 
 def _version() -> str:
-    from sss_ref.io.manifest import package_version
+    from sss_ref.results.manifest import package_version
 
     return package_version()
 

@@ -12,7 +12,7 @@ from sss_ref.cli.console import BAD_INPUT, DIFFERS, announce_compilation, err, o
 from sss_ref.cli.options import KERNELS, Execution
 
 if TYPE_CHECKING:
-    from sss_ref.io.diff import FolderDiff
+    from sss_ref.results.diff import FolderDiff
 
 
 def verify(
@@ -24,7 +24,7 @@ def verify(
 
     Exit code 1 if anything differs: the rules, a file of the folder, the mesh, or the computation.
     """
-    from sss_ref.io.verify import verify as verify_folder
+    from sss_ref.results.verify import verify as verify_folder
 
     announce_compilation(execution)
     with progress("loading the scene") as show:
@@ -45,8 +45,8 @@ def diff(
     Exit code 1 if a buffer differs; 2 if the folders cannot be compared, or if all is equal that both have, but one has
     more buffers than the other.
     """
-    from sss_ref.io.diff import diff as diff_folders
-    from sss_ref.io.diff_picture import checked_picture_file, write_diff_picture
+    from sss_ref.results.diff import diff as diff_folders
+    from sss_ref.results.diff_picture import checked_picture_file, write_diff_picture
 
     if output:
         checked_picture_file(output)
@@ -67,7 +67,7 @@ def diff(
 
 def _table_of_differences(found: "FolderDiff") -> Table:
     """One row a buffer: how many pixels differ, by how much, and how many values are how many ULP apart."""
-    from sss_ref.io.diff import ULP_CLASSES
+    from sss_ref.results.diff import ULP_CLASSES
 
     table = Table(
         "buffer",

@@ -18,7 +18,7 @@ err = Console(stderr=True, highlight=False, soft_wrap=True)
 
 def announce_compilation(execution: Execution) -> None:
     """Say that the first rendering takes longer, if it will."""
-    from sss_ref.compiled import is_cold
+    from sss_ref.cache.compiled import is_cold
 
     if execution.interpreter == "kernel" and is_cold():
         err.print("compiling kernels (once per version; about 15 s) ...")

@@ -13,7 +13,7 @@ from sss_ref.cli.console import out
 
 def scenes() -> int:
     """List the shipped scenes."""
-    from sss_ref.scene.shipped import scene_names, scene_path
+    from sss_ref.scene_file.shipped import scene_names, scene_path
 
     table = _plain_table()
     for name in scene_names():
@@ -31,8 +31,8 @@ def info(
 ) -> int:
     """Say what is in a mesh: its size, whether it is closed, and whether its UVs can hold an irradiance map."""
     from sss_ref.cli.mesh_facts import mesh_facts
-    from sss_ref.scene.mesh import load_mesh
-    from sss_ref.scene.shipped import find_mesh
+    from sss_ref.mesh.triangles import load_mesh
+    from sss_ref.scene_file.shipped import find_mesh
 
     facts = mesh_facts(load_mesh(find_mesh(mesh, Path()) or Path(mesh)))
     if as_json:

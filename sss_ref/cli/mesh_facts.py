@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from sss_ref.scene.mesh import Mesh
-from sss_ref.scene.topology import is_watertight
-from sss_ref.scene.uv_facts import UvFacts, uv_facts
+from sss_ref.mesh.topology import is_watertight
+from sss_ref.mesh.triangles import Mesh
+from sss_ref.mesh.uv_facts import UvFacts, uv_facts
 
 Point = tuple[float, float, float]
 Row = tuple[str, str]

@@ -51,11 +51,11 @@ def validate(
 
     Every stage gets what was drawn before it, so an error counts where it is made. Exit code 1 if a stage is wrong.
     """
-    from sss_ref.rendering import render
+    from sss_ref.rendering.fold import render
     from sss_ref.scene.load import load_scene
     from sss_ref.validation.clock import Clock
-    from sss_ref.validation.metrics import likeness, require_packages
-    from sss_ref.validation.report_page import write_report
+    from sss_ref.validation.report.metrics import likeness, require_packages
+    from sss_ref.validation.report.report_page import write_report
     from sss_ref.validation.stage_by_stage import judge
 
     loaded = load_scene(scene, **changes.overrides())
@@ -90,7 +90,7 @@ def _drawn(scene: "Scene", shaders: Path | None) -> "Drawing":
 
 
 def _dumped(scene: "Scene", dump: Path | None, origin: Literal["top", "bottom"] | None) -> "Drawing":
-    from sss_ref.io.dump.read import read_dump
+    from sss_ref.dump.read import read_dump
     from sss_ref.validation.stage_by_stage import Drawing
 
     if dump is None:
@@ -111,7 +111,7 @@ def _judged_pixels(scene: "Scene", region: str | None, exclude: Path | None) -> 
     """Bool (H, W) of the camera's size; None for all."""
     import numpy as np
 
-    from sss_ref.io.dump.selection import parsed_region, read_exclusion
+    from sss_ref.dump.selection import parsed_region, read_exclusion
 
     width, height = scene.settings.camera.width, scene.settings.camera.height
     if region is None and exclude is None:

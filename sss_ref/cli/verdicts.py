@@ -10,8 +10,8 @@ from sss_ref.cli.console import out
 
 if TYPE_CHECKING:
     from sss_ref.explanation.rows import Section
-    from sss_ref.validation.report import Report
-    from sss_ref.validation.verdict import Verdict
+    from sss_ref.validation.report.report import Report
+    from sss_ref.validation.verdict.verdict import Verdict
 
 
 def print_report(found: "Report") -> None:
@@ -39,7 +39,7 @@ def _print_list(heading: str, lines: list[str]) -> None:
 
 
 def _table(found: "Report") -> Table:
-    from sss_ref.validation.outcomes import OUTCOMES
+    from sss_ref.validation.verdict.outcomes import OUTCOMES
 
     table = Table(box=SIMPLE, title="each stage, given what was drawn before it", title_justify="left")
     for name in ("pass", "stage", "buffer"):
@@ -66,7 +66,7 @@ def _worst_pixel(section: "Section") -> Table:
 
 
 def _cells(one: "Verdict") -> list[str]:
-    from sss_ref.validation.widths import compact
+    from sss_ref.validation.verdict.widths import compact
 
     total = one.compared
     same, whole = (f"{count / total:.2%}" if count is not None and total else "-" for count in (one.equal, one.chained))

@@ -14,12 +14,12 @@ from sss_ref.interpret.trace import Bounds, Step, scalar, trace
 from sss_ref.interpret.work import Fragments, Work, uniform_value
 from sss_ref.language.pipeline import MESH_ATTRIBUTES, MeshDraw, Pass
 from sss_ref.language.stage import Stage
-from sss_ref.methods.catalogue import method_of_scene
 from sss_ref.raster.interpolate import weights_arrays
-from sss_ref.rendering import Rendering, render
-from sss_ref.result import Result
+from sss_ref.rendering.fold import Rendering, render
+from sss_ref.rendering.result import Result
+from sss_ref.scene.catalogue import method_of_scene
 from sss_ref.scene.load import Scene
-from sss_ref.scene.viewpoints import Camera
+from sss_ref.scene_file.viewpoints import Camera
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from sss_ref.errors import ShaderError
-from sss_ref.gl.textures import texture_data, uploaded
+from sss_ref.gl.uploads import texture_data, uploaded
 from sss_ref.interpret.shader import array_lengths
 
 if TYPE_CHECKING:

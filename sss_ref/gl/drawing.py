@@ -10,13 +10,13 @@ from sss_ref.errors import ShaderError
 from sss_ref.gl.canvas import Canvas
 from sss_ref.gl.context import open_context
 from sss_ref.gl.shaders import Files, ShaderPair, own_shaders, user_shaders
-from sss_ref.gl.textures import downloaded, filled
+from sss_ref.gl.uploads import downloaded, filled
 from sss_ref.language.pipeline import MeshDraw, Method, Pass
-from sss_ref.methods.catalogue import method_of_scene
-from sss_ref.methods.until import buffers_kept
 from sss_ref.passes.buffers import background
+from sss_ref.scene.catalogue import method_of_scene
 from sss_ref.scene.load import Scene
 from sss_ref.scene.uniforms import uniforms
+from sss_ref.scene.until import buffers_kept
 
 if TYPE_CHECKING:
     from moderngl import Program, Texture

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 from sss_ref.errors import ShaderError
 from sss_ref.interpret.shader import GLSL, OUT, draws, fragment_shader, vertex_shader
 from sss_ref.language.pipeline import Pass
-from sss_ref.methods.catalogue import method_of
-from sss_ref.scene.settings import SceneFile
+from sss_ref.scene.catalogue import method_of
+from sss_ref.scene_file.settings import SceneFile
 
 if TYPE_CHECKING:
     from moderngl import Context, Program

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.compiled import compiled
+from sss_ref.cache.compiled import compiled
 from sss_ref.errors import RenderError
 from sss_ref.interpret.arrays import draw_values, run_stages
 from sss_ref.interpret.work import FLOAT32, Work

@@ -1,7 +1,7 @@
 """The shader language: GLSL's types and built-ins as Python, and `@stage`, which checks a contract."""
 
 from sss_ref.language.builtins import clamp, dot, fract, length, mix, normalize, reflect
-from sss_ref.language.primitives import (
+from sss_ref.language.intrinsics import (
     exp,
     exp2,
     float32,

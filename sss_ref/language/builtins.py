@@ -1,6 +1,6 @@
 """The built-ins that are written in the language itself, named as in GLSL; no interpreter needs to know them."""
 
-from sss_ref.language.primitives import floor, genType, max, min, number, select, sqrt
+from sss_ref.language.intrinsics import floor, genType, max, min, number, select, sqrt
 from sss_ref.language.stage import function
 from sss_ref.language.types import vec3
 

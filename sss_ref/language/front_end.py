@@ -15,7 +15,7 @@ import numpy as np
 
 from sss_ref.errors import StageError
 from sss_ref.language import tree
-from sss_ref.language.primitives import Primitive
+from sss_ref.language.intrinsics import Primitive
 from sss_ref.language.types import Array, Vector
 from sss_ref.language.typing_rules import MEMBERS, construct_error, operation_type, type_name
 

@@ -3,7 +3,7 @@
 from typing import TypeVar
 
 from sss_ref.language.builtins import clamp, fract, mix
-from sss_ref.language.primitives import float32, floor, genType, int32, select, size, texel
+from sss_ref.language.intrinsics import float32, floor, genType, int32, select, size, texel
 from sss_ref.language.stage import function
 from sss_ref.language.types import Texture, ivec2, vec2
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from sss_ref.language.primitives import Primitive
+    from sss_ref.language.intrinsics import Primitive
     from sss_ref.language.stage import Function
 
 

@@ -2,11 +2,11 @@
 
 from sss_ref.language import Stage
 from sss_ref.language.pipeline import Method, Pass, ScreenDraw
-from sss_ref.methods.lights import Lights
-from sss_ref.methods.views import CAMERA_VIEW, behind_the_surface, shadow_maps
+from sss_ref.methods.per_light import Lights
+from sss_ref.methods.shared import CAMERA_VIEW, behind_the_surface, shadow_maps
 from sss_ref.passes import blur, composite, translucency
 from sss_ref.passes.buffers import PARTIAL
-from sss_ref.scene.settings import SceneFile
+from sss_ref.scene_file.settings import SceneFile
 
 COMBINE = {
     "multiply": translucency.lit_multiply,

@@ -2,13 +2,13 @@
 
 from sss_ref.language import Stage
 from sss_ref.language.pipeline import MeshDraw, Method, Pass, ScreenDraw
-from sss_ref.methods.lights import Lights
-from sss_ref.methods.views import CAMERA_VIEW, behind_the_surface, light_at_the_surface, shadow_maps
+from sss_ref.methods.per_light import Lights
+from sss_ref.methods.shared import CAMERA_VIEW, behind_the_surface, light_at_the_surface, shadow_maps
 from sss_ref.passes import blur, irradiance, shadow_map, texture_image
 from sss_ref.passes.buffers import PARTIAL, TEXEL
 from sss_ref.passes.camera import surface
 from sss_ref.passes.vertex import layout_vertex
-from sss_ref.scene.settings import SceneFile
+from sss_ref.scene_file.settings import SceneFile
 
 MODE = {
     "paper": irradiance.irradiance_paper,

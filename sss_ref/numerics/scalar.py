@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numba.extending import overload, register_jitable
 
-from sss_ref.compiled import compiled
+from sss_ref.cache.compiled import compiled
 from sss_ref.numerics import double_double, elementary
 
 PLAIN_FUNCTIONS = (

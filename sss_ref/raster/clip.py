@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sss_ref.compiled import compiled
+from sss_ref.cache.compiled import compiled
 
 PLUS, MINUS, ONE = np.float32(1), np.float32(-1), np.float32(1)
 X, Y, Z, W = 0, 1, 2, 3

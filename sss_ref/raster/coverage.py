@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sss_ref.compiled import compiled
+from sss_ref.cache.compiled import compiled
 
 
 class EdgeFunction(NamedTuple):

@@ -10,7 +10,7 @@ so the sign is part of the rule.
 
 import numpy as np
 
-from sss_ref.compiled import compiled
+from sss_ref.cache.compiled import compiled
 from sss_ref.raster.coverage import at, edges
 from sss_ref.raster.primitives import Primitives
 

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sss_ref.compiled import compiled
+from sss_ref.cache.compiled import compiled
 from sss_ref.raster.clip import W, X, Y, Z, clip
 from sss_ref.raster.coverage import position, twice_area
 from sss_ref.raster.viewport import Viewport

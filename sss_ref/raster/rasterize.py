@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sss_ref.compiled import compiled
+from sss_ref.cache.compiled import compiled
 from sss_ref.raster.coverage import acceptance, at, covered_columns, edges
 from sss_ref.raster.primitives import Primitives
 from sss_ref.raster.viewport import Viewport

@@ -1,13 +1,13 @@
 """Scenes: the TOML file and its presets, cameras, lights and meshes. Importing this needs no heavy library."""
 
+from sss_ref.mesh.materials import Material
+from sss_ref.mesh.triangles import Mesh, load_mesh
+from sss_ref.mesh.uv_facts import UvFacts, uv_facts
 from sss_ref.scene.load import Scene, load_scene
-from sss_ref.scene.materials import Material
-from sss_ref.scene.matrices import normal_matrix
-from sss_ref.scene.mesh import Mesh, load_mesh
-from sss_ref.scene.settings import SceneFile
-from sss_ref.scene.shipped import mesh_names, mesh_path, scene_names, scene_path
-from sss_ref.scene.uv_facts import UvFacts, uv_facts
-from sss_ref.scene.views import Light, View
+from sss_ref.scene_file.settings import SceneFile
+from sss_ref.scene_file.shipped import mesh_names, mesh_path, scene_names, scene_path
+from sss_ref.view.matrices import normal_matrix
+from sss_ref.view.views import Light, View
 
 __all__ = [
     "Light",

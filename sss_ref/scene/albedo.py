@@ -7,9 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sss_ref.errors import SceneError
-from sss_ref.scene.mesh import Mesh
-from sss_ref.scene.settings import MeshSettings
-from sss_ref.scene.textures import load_texture
+from sss_ref.mesh.triangles import Mesh
+from sss_ref.scene_file.color_texture import load_texture
+from sss_ref.scene_file.settings import MeshSettings
 
 
 def albedo_of(settings: MeshSettings, mesh: Mesh, folder: Path) -> dict[str, NDArray[Any]]:

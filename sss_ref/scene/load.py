@@ -10,18 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sss_ref.errors import SceneError
+from sss_ref.mesh.topology import is_inside, is_watertight
+from sss_ref.mesh.triangles import Mesh, array_hash, load_mesh
+from sss_ref.mesh.unwrap import unwrapped
 from sss_ref.scene.albedo import albedo_of, albedo_warnings
-from sss_ref.scene.light_fit import Bounds, fitted
-from sss_ref.scene.matrices import Matrix, Vector, length, placement, transformed
-from sss_ref.scene.mesh import Mesh, array_hash, load_mesh
-from sss_ref.scene.quantities import FLOAT32_OVERFLOW
-from sss_ref.scene.settings import SceneFile, ShadowMap
-from sss_ref.scene.shipped import find_mesh
-from sss_ref.scene.topology import is_inside, is_watertight
-from sss_ref.scene.unwrap import unwrapped
-from sss_ref.scene.validation import Document, opened, validated
-from sss_ref.scene.viewpoints import Camera, LightSettings
-from sss_ref.scene.views import Light, View, camera_view, light_of
+from sss_ref.scene_file.quantities import FLOAT32_OVERFLOW
+from sss_ref.scene_file.reading import Document, opened, validated
+from sss_ref.scene_file.settings import SceneFile, ShadowMap
+from sss_ref.scene_file.shipped import find_mesh
+from sss_ref.scene_file.viewpoints import Camera, LightSettings
+from sss_ref.view.light_fit import Bounds, fitted
+from sss_ref.view.matrices import Matrix, Vector, length, placement, transformed
+from sss_ref.view.views import Light, View, camera_view, light_of
 
 FAR_FROM_ORIGIN = 100  # bounding-sphere radii beyond which float32 positions are coarse
 

@@ -7,7 +7,7 @@ has a few buffers less). What a pass needs while it runs comes on top, at most h
 from collections.abc import Mapping
 from typing import Any
 
-from sss_ref.scene.problems import KeyPath, unmet_at
+from sss_ref.errors.wording import KeyPath, unmet_at
 
 MEMORY_LIMIT = 4 * 2**30  # bytes
 TEXTURE_BYTES = 12  # per texel: linear RGB, float32

@@ -5,8 +5,8 @@ from typing import Any
 import numpy as np
 
 from sss_ref.scene.load import Scene
-from sss_ref.scene.matrices import normal_matrix
-from sss_ref.scene.views import Light
+from sss_ref.view.matrices import normal_matrix
+from sss_ref.view.views import Light
 
 NEUTRAL = {  # what leaves the colour as it is, by method and by how T joins the light
     "screen_space": {"multiply": 1.0, "add": 0.0, "transmit": 0.0},

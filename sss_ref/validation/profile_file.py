@@ -10,10 +10,10 @@ from typing import Any, Literal, get_type_hints
 from pydantic import BaseModel, ValidationError, create_model
 
 from sss_ref.errors import ProfileError
-from sss_ref.interpret.profile import PROFILES, Profile
+from sss_ref.errors.wording import described, told
+from sss_ref.interpret.intervals.profile import PROFILES, Profile
 from sss_ref.numerics.bounded import Bounded
-from sss_ref.scene.problems import described, told
-from sss_ref.scene.quantities import Count, NonNegative, Table
+from sss_ref.scene_file.quantities import Count, NonNegative, Table
 
 CHECKED: dict[Any, Any] = {float: NonNegative, int: Count}  # what the numbers of a profile must be
 

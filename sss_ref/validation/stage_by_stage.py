@@ -2,36 +2,32 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from functools import cache
-from importlib import import_module
-from pkgutil import iter_modules
 
 import numpy as np
 
-import sss_ref.passes
+from sss_ref.dump.slots import slots_of
 from sss_ref.errors import SceneError
-from sss_ref.interpret.profile import Profile
-from sss_ref.io.dump.slots import slots_of
-from sss_ref.language import Stage
+from sss_ref.errors.wording import told
+from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.language.pipeline import MeshDraw
-from sss_ref.methods.catalogue import method_of_scene
-from sss_ref.rendering import render
-from sss_ref.result import Result
+from sss_ref.methods.stages import all_stages
+from sss_ref.rendering.fold import render
+from sss_ref.rendering.result import Result
+from sss_ref.scene.catalogue import method_of_scene
 from sss_ref.scene.load import Scene
-from sss_ref.scene.problems import told
-from sss_ref.validation.chained import Bounds, chained
+from sss_ref.validation.accept.chained import Bounds, chained
+from sss_ref.validation.accept.drawn import Buffers, Rebased, Seen
+from sss_ref.validation.accept.rebased import RASTERIZER, Check, Judgement, Stored, checks
+from sss_ref.validation.accept.storage import STEPS
+from sss_ref.validation.cause.hypotheses import hypotheses
 from sss_ref.validation.clock import Clock
-from sss_ref.validation.drawn import Buffers, Rebased, Seen
-from sss_ref.validation.hypotheses import hypotheses
-from sss_ref.validation.places import Places
-from sss_ref.validation.power import power
 from sss_ref.validation.profile_file import profile_of
-from sss_ref.validation.rebased import RASTERIZER, Check, Judgement, Stored, checks
-from sss_ref.validation.report import Finding, Report
-from sss_ref.validation.storage import STEPS
-from sss_ref.validation.suspects import suspects
-from sss_ref.validation.verdict import Verdict, judged
-from sss_ref.validation.worst_pixel import worst_pixel
+from sss_ref.validation.report.report import Finding, Report
+from sss_ref.validation.report.worst_pixel import worst_pixel
+from sss_ref.validation.verdict.clusters import Places
+from sss_ref.validation.verdict.power import power
+from sss_ref.validation.verdict.suspects import suspects
+from sss_ref.validation.verdict.verdict import Verdict, judged
 
 DEFAULT_PROFILE = "vulkan"
 
@@ -184,13 +180,6 @@ def _finding(rendering: Rebased, how: Judgement, check: Check, verdict: Verdict)
     """Look closer at what is wrong."""
     (one,) = (each for each in method_of_scene(rendering.scene).passes if each.name == check.pass_name)
     pass_drawn, buffers = rendering.drawn(one), rendering.dumped
-    found = hypotheses(check, pass_drawn, buffers, how, _all_stages()) if check.where.any() else []
+    found = hypotheses(check, pass_drawn, buffers, how, all_stages()) if check.where.any() else []
     section = worst_pixel(check, verdict.worst.at, pass_drawn, buffers, how) if verdict.worst else None
     return Finding(check, tuple(found), section)
-
-
-@cache
-def _all_stages() -> dict[str, Stage]:
-    """Every stage of the package by name."""
-    modules = [import_module(f"sss_ref.passes.{each.name}") for each in iter_modules(sss_ref.passes.__path__)]
-    return {value.name: value for module in modules for value in vars(module).values() if isinstance(value, Stage)}

@@ -9,15 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.gl.textures import texture_data
+from sss_ref.gl.uploads import texture_data
 from sss_ref.interpret.shader import ESSL, array_lengths, draws, fragment_shader, vertex_shader
 from sss_ref.interpret.work import CHANNELS, dtype_of
 from sss_ref.language.pipeline import MeshDraw, Method, Pass
-from sss_ref.methods.catalogue import method_of_scene
-from sss_ref.methods.until import buffers_kept
 from sss_ref.passes.buffers import background
+from sss_ref.scene.catalogue import method_of_scene
 from sss_ref.scene.load import Scene
 from sss_ref.scene.uniforms import uniforms
+from sss_ref.scene.until import buffers_kept
 
 KINDS = {"f": "float", "i": "int", "u": "bool"}  # kind of number -> the script's name
 

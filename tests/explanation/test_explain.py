@@ -7,9 +7,9 @@ from scenes import around, cube, sphere, written
 from sss_ref.errors import SceneError
 from sss_ref.explanation.explain import explain
 from sss_ref.language.types import components
-from sss_ref.rendering import render
+from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
-from sss_ref.scene.shipped import scene_names
+from sss_ref.scene_file.shipped import scene_names
 
 SMALL = {
     f"{table}.{side}": size

@@ -12,7 +12,7 @@ from sss_ref.explanation.explain import explain
 from sss_ref.explanation.rows import sections
 from sss_ref.explanation.values import between, bits, shown
 from sss_ref.language.types import Array, Texture, ivec2, mat3, vec3
-from sss_ref.rendering import render
+from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 
 F = np.float32

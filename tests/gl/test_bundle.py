@@ -8,11 +8,11 @@ import trimesh
 from bundle_player import Player
 from opengl import needs_mesa
 
+from sss_ref.bundle.writing import write_bundle
 from sss_ref.cli import main
 from sss_ref.errors import DumpError
 from sss_ref.gl import draw
 from sss_ref.gl.context import open_context
-from sss_ref.io.bundle import write_bundle
 from sss_ref.scene.load import load_scene
 
 SMALL = {f"{t}.{s}": 64 for t in ("camera", "shadow_map", "irradiance_map") for s in ("width", "height")}

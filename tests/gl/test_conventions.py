@@ -11,7 +11,7 @@ from edited import SHIPPED, drawn, drawn_edited, rendered
 from opengl import needs_mesa
 
 from sss_ref import gl
-from sss_ref.gl import textures
+from sss_ref.gl import uploads as textures
 from sss_ref.validation.stage_by_stage import validate
 
 pytestmark = needs_mesa

@@ -10,8 +10,8 @@ from scenes import around, sphere, two_squares, written
 from sss_ref.errors import SceneError, ShaderError
 from sss_ref.gl import draw
 from sss_ref.interpret.shader import array_lengths, shader_files
-from sss_ref.methods.catalogue import method_of
-from sss_ref.rendering import render
+from sss_ref.rendering.fold import render
+from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import load_scene
 from sss_ref.scene.uniforms import uniforms
 

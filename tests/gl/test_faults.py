@@ -10,7 +10,7 @@ from opengl import needs_mesa
 
 from sss_ref.cli import main
 from sss_ref.gl import draw
-from sss_ref.rendering import render
+from sss_ref.rendering.fold import render
 from sss_ref.scene import scene_names
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.stage_by_stage import validate

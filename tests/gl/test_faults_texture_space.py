@@ -9,7 +9,7 @@ from test_faults import BORDERED, CLAMPED
 
 from sss_ref.gl import draw
 from sss_ref.passes.texture_image import gloss_where_lit
-from sss_ref.validation.mutants import mutants
+from sss_ref.validation.cause.mutants import mutants
 from sss_ref.validation.stage_by_stage import validate
 
 pytestmark = needs_mesa

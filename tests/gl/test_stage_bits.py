@@ -2,15 +2,15 @@
 
 import numpy as np
 import pytest
+from one_stage import assert_same_bits, run
 from opengl import needs_mesa
-from passes.one_stage import assert_same_bits, run
-from passes.test_stages import CASES
-from passes.test_stages import inputs_of as random_fragments
+from test_stages import CASES
+from test_stages import inputs_of as random_fragments
 
 from sss_ref.gl.canvas import Canvas
 from sss_ref.gl.context import open_context
 from sss_ref.gl.shaders import own_shaders
-from sss_ref.gl.textures import downloaded, filled, uploaded
+from sss_ref.gl.uploads import downloaded, filled, uploaded
 from sss_ref.interpret import arrays
 
 WITH_POWERS = {  # whose pow and exp are the GPU's own; all else is exact

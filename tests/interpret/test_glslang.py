@@ -9,8 +9,8 @@ from scenes import settings_with
 from test_structure import STAGES, alternatives
 
 from sss_ref.interpret.shader import DIALECTS, shader_files
-from sss_ref.methods.catalogue import METHODS, method_of
-from sss_ref.scene import settings
+from sss_ref.scene.catalogue import METHODS, method_of
+from sss_ref.scene_file import settings
 
 VALIDATOR = shutil.which("glslangValidator")
 LENGTHS = {"tap_offset": 13, "tap_weight": 13, "material_color": 2}

@@ -37,12 +37,12 @@ from sss_ref.language import (
     vec3,
 )
 from sss_ref.language import max as larger
-from sss_ref.methods.catalogue import method_of
+from sss_ref.methods.published.byte_targets import stored_r8, stored_rgb8
 from sss_ref.passes.camera import albedo_by_material
-from sss_ref.passes.encoding import stored_r8, stored_rgb8
 from sss_ref.passes.shadow_map import back_point
 from sss_ref.passes.vertex import layout_vertex
-from sss_ref.validation.mutants import mutants
+from sss_ref.scene.catalogue import method_of
+from sss_ref.validation.cause.mutants import mutants
 
 LENGTHS = {"tap_offset": 13, "tap_weight": 13}
 
@@ -301,7 +301,7 @@ import hashlib
 from scenes import settings_with
 from sss_ref.interpret.shader import shader_files
 from sss_ref.language import max as larger
-from sss_ref.methods.catalogue import method_of
+from sss_ref.scene.catalogue import method_of
 files = shader_files(method_of(settings_with({"method": "texture_space", "preset": "robust"})), {"tap_offset": 13})
 print(hashlib.sha256(repr(files).encode()).hexdigest())
 """

@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from passes.fragments import random_inputs
-from passes.one_stage import run, stages_by_module
+from fragments import random_inputs
+from one_stage import run, stages_by_module
 
 from sss_ref.interpret import arrays
 from sss_ref.interpret.trace import Step, trace

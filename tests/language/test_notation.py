@@ -5,7 +5,7 @@ import inspect
 import textwrap
 
 import pytest
-from passes.one_stage import stages_by_module
+from one_stage import stages_by_module
 
 from sss_ref.language import function, select, tree, vec3, vec4
 from sss_ref.language.notation import written

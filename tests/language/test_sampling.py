@@ -4,11 +4,12 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from passes import naive_language as naive
-from passes.naive_language import F
-from passes.one_stage import Inputs, assert_same_bits, run, run_naively
+from naive_language import F
+from one_stage import Inputs, assert_same_bits, run, run_naively
+import naive_language as naive
 
-from sss_ref.interpret import arrays, kernel
+from sss_ref.interpret import arrays
+from sss_ref.interpret.kernel import loops as kernel
 from sss_ref.language import (
     Texture,
     bilinear_blend,

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from scenes import around, sphere, wall, wedge, written
 
-from sss_ref.rendering import render
-from sss_ref.scene.kernels import KERNELS
+from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
+from sss_ref.scene_file.kernels import KERNELS
 
 MAP, PICTURE = 64, 128
 WEDGE_VIEWS = {

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from scenes import LIGHT, around, sphere, written
 
+from sss_ref.dump.read import read_dump
 from sss_ref.errors import SceneError
-from sss_ref.io.dump.read import read_dump
-from sss_ref.methods.catalogue import method_of
-from sss_ref.rendering import render
+from sss_ref.rendering.fold import render
+from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import load_scene
 
 LIGHTS = [{"position": LIGHT}, {"position": [-3.0, 0.5, 1.0], "color": [1.0, 0.5, 0.25]}]

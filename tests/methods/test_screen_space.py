@@ -6,10 +6,10 @@ import pytest
 from scenes import around, cube, settings_with, sphere, two_slabs, written
 
 from sss_ref.errors import RenderError
-from sss_ref.methods.catalogue import method_of
-from sss_ref.rendering import render
-from sss_ref.scene import settings, viewpoints
+from sss_ref.rendering.fold import render
+from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import load_scene
+from sss_ref.scene_file import settings, viewpoints
 
 USER_KERNEL = [[0.0, 0.0, 0.5, 0.25, 0.125], [2.5, -1.25, 0.5, 0.75, 0.875], [-200.0, 3.0, 0.25, 0.0, 0.5]]
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from passes.naive_stages import albedo_textured
+from naive_stages import albedo_textured
 
-from sss_ref.rendering import render
+from sss_ref.rendering.fold import render
 from sss_ref.scene import load_scene
 
 

@@ -3,19 +3,19 @@
 import re
 from pathlib import Path
 
+import naive_stages
 import numpy as np
 import pytest
-from passes import naive_stages
-from passes.one_stage import Inputs, assert_same_bits, run, run_naively
+from one_stage import Inputs, assert_same_bits, run, run_naively
 from scenes import LIGHT, around, sphere, wall, written
 
 from sss_ref.errors import MeshError
 from sss_ref.interpret import arrays
 from sss_ref.passes import blur, irradiance, texture_image
-from sss_ref.rendering import render
-from sss_ref.scene.kernels import KERNELS
+from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.scene.uniforms import uniforms
+from sss_ref.scene_file.kernels import KERNELS
 
 MAP = 64  # texels of the irradiance map, across and down
 SUFFIXES = ["_1", "_2", "_3"]

@@ -6,7 +6,7 @@ import small_scenes
 from rerun import inputs_of, rerun
 
 from sss_ref.passes import blur, phong, shadow_map, translucency
-from sss_ref.rendering import render
+from sss_ref.rendering.fold import render
 
 STAGES = [
     shadow_map.shadow_lookup_nearest,

@@ -6,7 +6,7 @@ import small_scenes
 from scenes import cube, written
 
 import sss_ref
-from sss_ref.scene.light_fit import Bounds
+from sss_ref.view.light_fit import Bounds
 
 
 def bounds(scene):

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from fragments import KERNEL, taps
+from one_stage import Inputs, assert_same_bits, call, run
 
-from passes.fragments import KERNEL, taps
-from passes.one_stage import Inputs, assert_same_bits, call, run
 from sss_ref.interpret import arrays
 from sss_ref.passes.blur import scatter, scatter_inside, single_tap
 

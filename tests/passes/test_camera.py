@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
+from one_stage import call
 
-from passes.one_stage import call
 from sss_ref.passes.camera import albedo_by_material, albedo_constant, albedo_textured, surface
 
 

@@ -1,6 +1,7 @@
 """The stages of the composite pass, worked by hand."""
 
-from passes.one_stage import call
+from one_stage import call
+
 from sss_ref.passes.composite import glow, over_background
 
 

@@ -1,11 +1,12 @@
 """The stages of the irradiance map, worked by hand, and the order in which a chart grows."""
 
+import naive_stages
 import numpy as np
 import pytest
+from one_stage import Inputs, assert_same_bits, call, run, run_naively
 
-from passes import naive_stages
-from passes.one_stage import Inputs, assert_same_bits, call, run, run_naively
-from sss_ref.interpret import arrays, kernel
+from sss_ref.interpret import arrays
+from sss_ref.interpret.kernel import loops as kernel
 from sss_ref.passes.irradiance import dilate, irradiance_distance, irradiance_lambert, irradiance_paper
 
 # The light 4 above the fragment; the normal is of length .5, so that N.L = .5 exactly.

@@ -1,8 +1,8 @@
 """The stages of Phong shading, worked by hand."""
 
 import numpy as np
+from one_stage import call
 
-from passes.one_stage import call
 from sss_ref.passes.phong import light_constant, light_inverse_square, phong_shading
 
 SCENE = {

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
+from one_stage import call
 
-from passes.one_stage import call
 from sss_ref.passes.shadow_map import (
     back_point,
     directly_lit_literal,

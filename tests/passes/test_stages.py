@@ -4,13 +4,15 @@ from dataclasses import replace
 from importlib import import_module
 from types import FunctionType
 
+import naive_published
+import naive_stages
 import numpy as np
 import pytest
+from fragments import VARIANTS, random_inputs
+from one_stage import assert_same_bits, run, run_naively, stages_by_module
 
-from passes import naive_published, naive_stages
-from passes.fragments import VARIANTS, random_inputs
-from passes.one_stage import assert_same_bits, run, run_naively, stages_by_module
-from sss_ref.interpret import arrays, kernel
+from sss_ref.interpret import arrays
+from sss_ref.interpret.kernel import loops as kernel
 from sss_ref.language.pipeline import CLIP_POSITION
 
 MODULES = stages_by_module()
@@ -63,4 +65,4 @@ def test_every_stage_has_its_naive_namesake():
 
 @pytest.mark.parametrize(("module", "stage"), [(module, s.name) for module, stages in MODULES.items() for s in stages])
 def test_every_stage_is_worked_by_hand(module, stage):
-    assert hasattr(import_module(f"passes.test_{module}"), f"test_{stage}")
+    assert hasattr(import_module(f"test_{module}"), f"test_{stage}")

@@ -1,11 +1,12 @@
 """The vertex stages: worked by hand, and the three ways of running it."""
 
+import naive_stages
 import numpy as np
 import pytest
+from one_stage import assert_same_bits, call
 
-from passes import naive_stages
-from passes.one_stage import assert_same_bits, call
-from sss_ref.interpret import arrays, kernel
+from sss_ref.interpret import arrays
+from sss_ref.interpret.kernel import loops as kernel
 from sss_ref.language.pipeline import MeshDraw, Pass
 from sss_ref.passes.vertex import layout_vertex, mesh_vertex
 

@@ -1,6 +1,6 @@
 import numpy as np
+from raster_proof import assert_same_bits
 
-from raster.proof import assert_same_bits
 from sss_ref.raster.clip import MOST_VERTICES, clip, fans
 
 CORNERS = np.array([[0, 1, 2]], np.int32)

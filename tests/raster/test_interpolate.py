@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
+from raster_proof import assert_same_bits, interpolate_compiled
 
-from raster.proof import assert_same_bits, interpolate_compiled
 from sss_ref.raster.interpolate import barycentric, interpolate_arrays
 from sss_ref.raster.primitives import assemble
 from sss_ref.raster.viewport import Viewport

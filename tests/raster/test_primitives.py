@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
+from raster_proof import assert_same_bits
 
-from raster.proof import assert_same_bits
 from sss_ref.raster.primitives import assemble
 from sss_ref.raster.viewport import Viewport
 

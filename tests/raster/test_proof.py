@@ -6,9 +6,9 @@ from multiprocessing import get_context
 
 import numpy as np
 import pytest
+from raster_proof import check_primitives, check_scene, draw_naively
+from soups import soup
 
-from raster.proof import check_primitives, check_scene, draw_naively
-from raster.scenes import soup
 from sss_ref.raster.primitives import assemble
 from sss_ref.raster.viewport import Viewport
 

@@ -6,9 +6,9 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
+from raster_proof import assert_same_bits, check_scene
+from soups import soup
 
-from raster.proof import assert_same_bits, check_scene
-from raster.scenes import soup
 from sss_ref.raster.interpolate import interpolate_arrays
 from sss_ref.raster.primitives import assemble
 from sss_ref.raster.rasterize import visibility
@@ -124,7 +124,7 @@ def digest():
 
 def test_the_same_bits_without_the_compiler():
     environment = {**os.environ, "NUMBA_DISABLE_JIT": "1", "PYTHONPATH": os.pathsep.join(sys.path)}
-    program = "from raster.test_rasterize import digest; print(digest())"
+    program = "from test_rasterize import digest; print(digest())"
     command = [sys.executable, "-W", "error::RuntimeWarning", "-c", program]
     finished = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     assert finished.stdout.strip() == digest()

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from sss_ref.errors import MeshError, SceneError
 from sss_ref.scene import Mesh, Scene, load_mesh, load_scene
-from sss_ref.scene.validation import TABLES
+from sss_ref.scene_file.reading import TABLES
 
 EXAMPLES = int(os.environ.get("SSS_REF_FUZZ_EXAMPLES", "200"))
 MEMORY = 3 * 2**30  # bytes of address space, most of it reserved by the libraries' threads

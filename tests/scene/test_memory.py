@@ -6,9 +6,10 @@ from scenes import settings_with
 
 from sss_ref.errors import SceneError
 from sss_ref.interpret.work import CHANNELS, dtype_of
-from sss_ref.methods.catalogue import METHODS, method_of
-from sss_ref.scene import load_scene, textures
+from sss_ref.scene import load_scene
+from sss_ref.scene.catalogue import METHODS, method_of
 from sss_ref.scene.memory import BUFFER_BYTES, bytes_per_pixel
+from sss_ref.scene_file import color_texture as textures
 
 
 def problems(scene, **overrides):

@@ -2,9 +2,9 @@
 
 import pytest
 
-from sss_ref.rendering import render
+from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
-from sss_ref.scene.shipped import scene_names
+from sss_ref.scene_file.shipped import scene_names
 from sss_ref.validation.stage_by_stage import validate
 
 SMALL = {f"{table}.{side}": 48 for table in ("camera", "shadow_map", "irradiance_map") for side in ("width", "height")}

@@ -3,7 +3,7 @@
 import pytest
 
 from sss_ref.errors import ProfileError
-from sss_ref.interpret.profile import PROFILES, Profile
+from sss_ref.interpret.intervals.profile import PROFILES, Profile
 from sss_ref.numerics.bounded import Bounded
 from sss_ref.numerics.ieee import Ieee
 from sss_ref.validation.profile_file import profile_of

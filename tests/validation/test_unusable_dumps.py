@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sss_ref.cli import main
-from sss_ref.rendering import render
+from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 
 SIZES = [f"{table}.{side}" for table in ("camera", "shadow_map") for side in ("width", "height")]

@@ -7,7 +7,7 @@ from scenes import around, sphere, two_squares, written
 
 from sss_ref import webgl
 from sss_ref.errors import ShaderError
-from sss_ref.rendering import render
+from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.webgl import content
 

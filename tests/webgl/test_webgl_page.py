@@ -11,7 +11,7 @@ from scenes import around, wedge, written
 
 from sss_ref import webgl
 from sss_ref.errors import SceneError, ShaderError
-from sss_ref.methods.catalogue import method_of
+from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import load_scene
 from sss_ref.scene.uniforms import uniforms
 from sss_ref.webgl import browser

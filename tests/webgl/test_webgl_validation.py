@@ -6,11 +6,11 @@ import pytest
 from chromium import SUBPIXEL_BITS, needs_chromium
 
 from sss_ref import webgl
-from sss_ref.interpret.profile import PROFILES
-from sss_ref.rendering import render
+from sss_ref.interpret.intervals.profile import PROFILES
+from sss_ref.rendering.fold import render
 from sss_ref.scene import scene_names
 from sss_ref.scene.load import load_scene
-from sss_ref.validation.rebased import RASTERIZER
+from sss_ref.validation.accept.rebased import RASTERIZER
 from sss_ref.validation.stage_by_stage import validate
 
 pytestmark = needs_chromium

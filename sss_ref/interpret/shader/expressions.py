@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, get_args, get_origin
 import numpy as np
 
 from sss_ref.language import tree
-from sss_ref.language.primitives import Primitive
+from sss_ref.language.intrinsics import Primitive
 from sss_ref.language.types import Vector, mat3, mat4
 
 if TYPE_CHECKING:

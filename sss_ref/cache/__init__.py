@@ -1,0 +1,1 @@
+"""Where machine code and other slow results are kept between processes."""

@@ -1,0 +1,101 @@
+"""`sss-ref render` and `warmup`."""
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+from cyclopts import Parameter
+from rich.markup import escape
+from rich.table import Table
+
+from sss_ref.cli.console import announce_compilation, err, out, progress
+from sss_ref.cli.options import EVERYTHING, KERNELS, NO_CHANGES, Changes, Execution, Wanted
+
+if TYPE_CHECKING:
+    from sss_ref.rendering.result import Result
+    from sss_ref.scene.load import Scene
+
+HASH_DIGITS = 12
+CUTTING_FAR = 4.2  # scene units: a far plane through the middle of the default scene's mesh
+
+
+def render(
+    scene: Annotated[str, Parameter(help="A scene file, or the name of a shipped scene.")] = "default",
+    *,
+    output: Annotated[Path, Parameter(alias="-o", help="The result folder; replaces an earlier result.")] = Path("out"),
+    changes: Changes = NO_CHANGES,
+    wanted: Wanted = EVERYTHING,
+    execution: Execution = KERNELS,
+) -> int:
+    """Render a scene into a folder of pictures, buffers and hashes."""
+    from sss_ref.results.folder import checked_target, save
+    from sss_ref.scene.load import load_scene
+
+    checked_target(output)
+    announce_compilation(execution)
+    with progress("loading the scene") as show:
+        loaded = load_scene(scene, **changes.overrides())
+        result = _rendered(loaded, wanted, execution, lambda name: show(f"pass {name}"))
+        show("writing files")
+        folder = save(result, output, execution.interpreter, execution.threads)
+    for warning in (*loaded.warnings, *result.notes):
+        err.print(f"[yellow]warning: {escape(warning)}[/]")
+    out.print(_table_of_passes(result))
+    out.print(f"{escape(str(folder))}: open overview.png first")
+    return 0
+
+
+def warmup() -> int:
+    """Compile the kernels of the default scene with every preset, so that later renderings start at once."""
+    from sss_ref.cache.compiled import cache_folder
+    from sss_ref.rendering.fold import render as render_scene
+    from sss_ref.scene.load import load_scene
+    from sss_ref.scene_file.presets import FIXED
+
+    first_light = {"position": load_scene("default").settings.lights[0].position}
+    small = {f"{table}.{side}": 64 for table in ("camera", "shadow_map") for side in ("width", "height")}
+    variants: list[dict[str, Any]] = [
+        {"preset": "paper"},
+        {"preset": "robust"},
+        {"preset": "published", "lights": [first_light], **FIXED},
+        {"camera.far": CUTTING_FAR},  # so that the clipper is compiled as well
+    ]
+    start = time.perf_counter()
+    with progress("compiling kernels") as show:
+        for variant in variants:
+            scene = load_scene("default", **small, **variant)
+            for keep in ("all", "final"):
+                show(f"compiling kernels: {scene.settings.preset}, {keep}")
+                render_scene(scene, keep=keep)
+    place = cache_folder() or "nowhere: no folder can be written to, see SSS_REF_CACHE_DIR"
+    out.print(f"kernels ready after {time.perf_counter() - start:.1f} s, kept in {escape(str(place))}")
+    return 0
+
+
+def _rendered(scene: "Scene", wanted: Wanted, execution: Execution, on_pass: Callable[[str], None]) -> "Result":
+    """What is wanted of a scene; the image of several samples is their average."""
+    from sss_ref.rendering.fold import render as render_scene
+    from sss_ref.rendering.samples import render_samples
+    from sss_ref.scene.catalogue import method_of_scene
+    from sss_ref.scene.until import buffers_until
+
+    if wanted.samples != 1:
+        return render_samples(scene, wanted.samples, execution.interpreter, execution.threads, on_pass)
+    keep = buffers_until(method_of_scene(scene), wanted.until) if wanted.until else wanted.keep or "all"
+    return render_scene(scene, execution.interpreter, execution.threads, keep, on_pass)
+
+
+def _table_of_passes(result: "Result") -> Table:
+    """One row a pass: its duration, its buffers and the first digits of their hashes."""
+    from sss_ref.scene.catalogue import method_of_scene
+
+    table = Table("pass", "ms", "buffer", "sha256")
+    table.columns[1].justify = "right"
+    for one in method_of_scene(result.scene).passes:
+        kept = [name for name in one.values if name in result.hashes]
+        digests = [result.hashes[name][:HASH_DIGITS] for name in kept]
+        if one.name in result.timings:
+            table.add_row(one.name, f"{result.timings[one.name] * 1e3:.0f}", "\n".join(kept), "\n".join(digests))
+            table.add_section()
+    return table

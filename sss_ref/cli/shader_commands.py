@@ -1,0 +1,109 @@
+"""`sss-ref glsl`, `bundle` and `webgl`: the stages as shaders, and scenes for other renderers."""
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from cyclopts import Parameter
+
+from sss_ref.cli.console import out
+from sss_ref.cli.options import NO_CHANGES, Changes
+from sss_ref.errors import DumpError, SceneError
+
+if TYPE_CHECKING:
+    from sss_ref.language.pipeline import Pass
+    from sss_ref.language.stage import Stage
+
+
+def glsl(
+    stage: Annotated[str | None, Parameter(help="A stage, to print it as a function.", show_default=False)] = None,
+    /,
+    *,
+    scene: Annotated[str, Parameter(help="A scene file or shipped scene, which decides on the stages.")] = "default",
+    all: Annotated[bool, Parameter(negative="", help="Print the shaders of all passes; -o writes them.")] = False,
+    output: Annotated[
+        Path | None, Parameter(alias="-o", help="A folder for the shaders of all passes.", show_default=False)
+    ] = None,
+    dialect: Annotated[
+        Literal["glsl", "essl", "hlsl"], Parameter(help="Of OpenGL, of WebGL 2 and OpenGL ES 3, or of Direct3D.")
+    ] = "glsl",
+    registers: Annotated[
+        bool, Parameter(negative="", help="Let the shaders also write what no buffer holds, so that it can be judged.")
+    ] = False,
+    changes: Changes = NO_CHANGES,
+) -> int:
+    """Print a stage of a scene as a shader, or complete shaders for all passes, or list passes and stages."""
+    from sss_ref.interpret.shader import DIALECTS, array_lengths, shader_files, stage_source
+    from sss_ref.scene.catalogue import method_of
+    from sss_ref.scene.load import load_scene
+    from sss_ref.scene.uniforms import uniforms
+
+    loaded = load_scene(scene, **changes.overrides())
+    method, lengths = method_of(loaded.settings), array_lengths(uniforms(loaded))
+    files = shader_files(method, lengths, DIALECTS[dialect], registers) if all or output else {}
+    if output is not None:
+        _write(output, files)
+        out.print(f"{output}: {', '.join(files)}", markup=False)
+    elif all:
+        out.print("\n".join(f"// {name}\n{text}" for name, text in files.items()), markup=False)
+    if stage is not None:
+        out.print(stage_source(_found(stage, method.passes), lengths, DIALECTS[dialect]), markup=False)
+    if stage is None and not files:
+        for one in method.passes:
+            out.print(f"{one.name}: {', '.join(dict.fromkeys(each.name for each in _stages(one)))}")
+    return 0
+
+
+def bundle(
+    scene: Annotated[str, Parameter(help="A scene file, or the name of a shipped scene.")] = "default",
+    *,
+    output: Annotated[Path, Parameter(alias="-o", help="The folder for the bundle.")] = Path("bundle"),
+    changes: Changes = NO_CHANGES,
+) -> int:
+    """Write a scene for another renderer: mesh, uniforms, shaders, passes and a porting guide."""
+    from sss_ref.bundle.writing import write_bundle
+    from sss_ref.scene.load import load_scene
+
+    folder = write_bundle(load_scene(scene, **changes.overrides()), output)
+    out.print(f"{folder}: read PORTING.md first", markup=False)
+    return 0
+
+
+def webgl(
+    scene: Annotated[str, Parameter(help="A scene file, or the name of a shipped scene.")] = "default",
+    *,
+    output: Annotated[Path, Parameter(alias="-o", help="The page to write.")] = Path("webgl.html"),
+    changes: Changes = NO_CHANGES,
+) -> int:
+    """Write a page that draws a scene in a browser and offers its buffers as files."""
+    from sss_ref.scene.load import load_scene
+    from sss_ref.webgl import page
+
+    _write(output.parent, {output.name: page(load_scene(scene, **changes.overrides()))})
+    out.print(f"{output}: open it in a browser", markup=False)
+    return 0
+
+
+def _stages(one: "Pass") -> "list[Stage]":
+    """The stages of a pass, the vertex stage first."""
+    from sss_ref.language.pipeline import MeshDraw
+
+    return [*([one.draw.vertex] if isinstance(one.draw, MeshDraw) else []), *one.stages]
+
+
+def _found(name: str, passes: "Iterable[Pass]") -> "Stage":
+    """The stage of this name."""
+    stages = {stage.name: stage for one in passes for stage in _stages(one)}
+    if name not in stages:
+        raise SceneError(f"stage: expected a stage of the scene ({', '.join(stages)}), got {name!r}")
+    return stages[name]
+
+
+def _write(folder: Path, files: Mapping[str, str]) -> None:
+    """Write files into a folder, which is made if need be."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, text in files.items():
+            (folder / name).write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise DumpError(f"{folder}: expected a folder to write into, got {error}; choose another") from None

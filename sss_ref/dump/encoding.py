@@ -1,0 +1,99 @@
+"""From stored texels to the numbers they stand for: what a sampler returns, in float32, or integers, in int32."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from sss_ref.errors import DumpError
+from sss_ref.errors.wording import told
+from sss_ref.scene_file.color_texture import srgb_decoded
+
+Storage = Literal["float32", "float16", "unorm8", "unorm16", "srgb8", "uint8", "int32", "uint32"]
+INTEGERS = ("uint8", "int32", "uint32")
+LARGEST_CODE = {"unorm8": 255, "unorm16": 65535}
+
+BYTES: tuple[Storage, ...] = ("unorm8", "srgb8", "uint8")
+WORDS: tuple[Storage, ...] = ("int32", "uint32")
+READ_AS: dict[str, tuple[str, ...]] = {
+    "float32": ("float32", "float16", "unorm8", "unorm16"),
+    **dict.fromkeys(BYTES, BYTES),
+    **dict.fromkeys(WORDS, WORDS),
+}
+"""What a file's own storage may be taken for if the mapping file says so; any other only for itself."""
+
+
+@dataclass(frozen=True)
+class Encoding:
+    """How a buffer was stored, and what was done to get it back: value = stored * scale + offset.
+
+    storage: of the texture. "unormN": n/(2^N - 1). "srgb8": IEC 61966-2-1, alpha linear. "uint32": 4294967295 is -1.
+        Of packed formats the name tells the bits of red: "float11" (R11G11B10), "unorm10" (RGB10A2), "unorm24" (D24).
+    rounded_from: the storage of the texture where the file has fewer bits than it; else None.
+    space: "world" or "view". normals: "xyz", "n*.5+.5" or "octahedral"; see `vectors`.
+    """
+
+    storage: str
+    scale: float = 1.0
+    offset: float = 0.0
+    rounded_from: str | None = None
+    space: str = "world"
+    normals: str = "xyz"
+
+
+def storage_of(native: str, wanted: str | None, where: str) -> str:
+    """The storage that was asked for, if a file of `native` storage can be taken for it. Raises DumpError."""
+    allowed = READ_AS.get(native, (native,))
+    if wanted is None or wanted in allowed:
+        return wanted or native
+    raise DumpError(told(where, f"one of {', '.join(allowed)} for a file of {native}", wanted, "correct the encoding"))
+
+
+def decoded(data: np.ndarray, channels: Sequence[str], storage: str, where: str) -> np.ndarray:
+    """The numbers that texels (H, W, C) stand for, float32 or int32.
+
+    channels: their names; "A" is linear in sRGB too. Raises DumpError where a file of float32 is said to come from a
+    texture that cannot have held its values.
+    """
+    if storage in INTEGERS:
+        return data.astype(np.int64).astype(np.uint32).view(np.int32)
+    if data.dtype == np.float32:
+        return _checked(data, storage, where)
+    if storage == "float16":
+        return data.astype(np.float32)
+    linear = data.astype(np.float32) / np.float32(LARGEST_CODE.get(storage, 255))
+    if storage == "srgb8":
+        return np.where([name == "A" for name in channels], linear, srgb_decoded()[data])
+    return linear
+
+
+def scaled(values: np.ndarray, scale: float, offset: float) -> np.ndarray:
+    """values * scale + offset in float64, of floats rounded once to float32; the values themselves for 1 and 0."""
+    if (scale, offset) == (1.0, 0.0):
+        return values
+    with np.errstate(over="ignore", invalid="ignore"):
+        result = values.astype(np.float64) * scale + offset
+        return result.astype(np.float32) if values.dtype.kind == "f" else result
+
+
+def _checked(data: np.ndarray, storage: str, where: str) -> np.ndarray:
+    """The float32 values of a file, if its texture can have held them."""
+    other = data != _held(data, storage)
+    if storage not in LARGEST_CODE:
+        other &= ~np.isnan(data)
+    if other.any():
+        came = repr(data[other][0].item())
+        raise DumpError(told(where, f"values that {storage} can hold", came, "correct the encoding"))
+    return data
+
+
+def _held(data: np.ndarray, storage: str) -> np.ndarray:
+    """The values nearest to float32 ones that a texture can hold."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        if storage == "float16":
+            return data.astype(np.float16).astype(np.float32)
+    if storage not in LARGEST_CODE:
+        return data
+    top = np.float32(LARGEST_CODE[storage])
+    return np.rint(np.clip(data, 0, 1).astype(np.float64) * top).astype(np.float32) / top

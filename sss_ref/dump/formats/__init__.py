@@ -1,0 +1,1 @@
+"""One file format of dumps a file."""

@@ -1,0 +1,110 @@
+"""DDS, as RenderDoc and other tools write it: one 2D surface of uncompressed texels, top row first.
+
+Layout: Microsoft, "Programming Guide for DDS", DDS_HEADER and DDS_HEADER_DXT10; all numbers are 32 bits, little-endian.
+"""
+
+import struct
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import BinaryIO
+
+import numpy as np
+
+from sss_ref.dump.formats.dds_formats import DXGI, FOURCC, MASKS, TexelFormat
+from sss_ref.dump.texels import Texels, check_size
+from sss_ref.errors import DumpError
+from sss_ref.errors.wording import told
+
+MAGIC = int.from_bytes(b"DDS ", "little")
+DX10 = int.from_bytes(b"DX10", "little")
+HEADER_SIZE, PIXEL_FORMAT_SIZE = 124, 32  # what the header says of itself
+HAS_PITCH, HAS_DEPTH = 0x8, 0x800000  # of its flags
+HAS_FOURCC = 0x4  # of the pixel format's flags
+CUBE_MAP, VOLUME = 0x200, 0x200000  # of its second capabilities
+TEXTURE_2D, TEXTURE_CUBE = 3, 0x4  # of the extension's dimension and flags
+EXPORT_ONE = "export a single 2D texture"
+
+
+@dataclass(frozen=True)
+class Header:
+    """What the words before the texels say; `size` is the bytes they take."""
+
+    width: int
+    height: int
+    pitch: int | None  # bytes from row to row, where the file gives it
+    format: TexelFormat
+    size: int
+
+
+def read(path: Path) -> tuple[Texels]:
+    """The first mip of a DDS file's only surface. Raises DumpError."""
+    with path.open("rb") as file:
+        header = _header(path, file)
+        available = path.stat().st_size - header.size
+        row_bytes = header.width * header.format.texel_bytes
+        check_size(path, header.width, header.height, header.format.texel_bytes, available)
+        pitch = row_bytes if header.pitch is None else header.pitch
+        gap_bytes = (pitch - row_bytes) * (header.height - 1)
+        if not 0 <= gap_bytes <= available - row_bytes * header.height:
+            expected = f"rows of {row_bytes} bytes, or further apart and all there"
+            raise DumpError(told(str(path), expected, f"a pitch of {pitch}", "export it again"))
+        data = file.read(row_bytes * header.height + gap_bytes)
+    element = np.dtype(header.format.element)
+    shape = header.height, header.width, header.format.count
+    strides = pitch, header.format.texel_bytes, element.itemsize
+    return (_unpacked(np.ndarray(shape, element, data, strides=strides), header.format),)
+
+
+def _unpacked(stored: np.ndarray, texel: TexelFormat) -> Texels:
+    data = texel.unpack(stored[..., 0]) if texel.unpack else stored.astype(stored.dtype.newbyteorder("="))
+    return Texels(data, tuple(texel.channels), texel.storage)
+
+
+def _header(path: Path, file: BinaryIO) -> Header:
+    words = _words(path, file, 32)
+    if (words[0], words[1], words[19]) != (MAGIC, HEADER_SIZE, PIXEL_FORMAT_SIZE):
+        raise DumpError(told(str(path), "a DDS file", "other data", "give it the suffix of its format"))
+    flags, height, width, pitch, depth = words[2:7]
+    pixel_flags, fourcc, *masks = words[20:27]
+    if words[28] & (CUBE_MAP | VOLUME) or (flags & HAS_DEPTH and depth > 1):
+        raise DumpError(told(str(path), "one 2D surface", "a cube map or volume", EXPORT_ONE))
+    is_extended = bool(pixel_flags & HAS_FOURCC) and fourcc == DX10
+    if is_extended:
+        texel = _extended_format(path, _words(path, file, 5))
+    else:
+        texel = _old_format(path, fourcc if pixel_flags & HAS_FOURCC else None, tuple(masks))
+    return Header(width, height, pitch if flags & HAS_PITCH else None, texel, 4 * (37 if is_extended else 32))
+
+
+def _words(path: Path, file: BinaryIO, count: int) -> tuple[int, ...]:
+    data = file.read(4 * count)
+    if len(data) < 4 * count:
+        raise DumpError(
+            told(str(path), "a whole header", f"{file.tell()} bytes", "the file is cut off; export it again")
+        )
+    return struct.unpack(f"<{count}I", data)
+
+
+def _extended_format(path: Path, words: tuple[int, ...]) -> TexelFormat:
+    number, dimension, flags, array_size, _ = words
+    if dimension != TEXTURE_2D or flags & TEXTURE_CUBE or array_size > 1:
+        came = f"dimension {dimension}, flags {flags:#x}, {array_size} layers"
+        raise DumpError(told(str(path), "one 2D surface", came, EXPORT_ONE))
+    if number not in DXGI:
+        raise DumpError(told(str(path), _known(DXGI.values()), f"DXGI format {number}", "convert the texture"))
+    return DXGI[number]
+
+
+def _old_format(path: Path, fourcc: int | None, masks: tuple[int, ...]) -> TexelFormat:
+    """The format of a file without extension: by FourCC, or by bit count and channel masks."""
+    texel = MASKS.get(masks) if fourcc is None else FOURCC.get(fourcc)
+    if texel is None:
+        bits, *channels = masks
+        came = f"FourCC {fourcc}" if fourcc is not None else f"{bits} bits with masks {', '.join(map(hex, channels))}"
+        raise DumpError(told(str(path), _known(FOURCC.values()), came, "export it with a DX10 header"))
+    return texel
+
+
+def _known(formats: Iterable[TexelFormat]) -> str:
+    return f"a format among {', '.join(texel.name for texel in formats)}"

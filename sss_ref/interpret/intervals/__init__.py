@@ -1,0 +1,1 @@
+"""Stages on intervals: all that a correct processor may compute."""

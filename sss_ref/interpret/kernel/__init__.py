@@ -1,0 +1,1 @@
+"""Passes as compiled loops: from the stages to Python that numba compiles."""

@@ -1,0 +1,219 @@
+"""Writes the module of a pass: its stages, fused, as compiled loops over vertices and over the pixels of some rows."""
+
+from collections.abc import Iterable, Mapping
+from typing import Any, get_origin
+
+from sss_ref.interpret.kernel.lower import INDENT, Lines, Lowering, Memory, Scalar, Value, suffixes
+from sss_ref.interpret.work import CHANNELS
+from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL, MeshDraw, Pass, ScreenDraw
+from sss_ref.language.stage import Stage
+from sss_ref.language.types import Texture, mat3, mat4, vec2, vec3, vec4
+
+HEADER = '''"""Pass {name}: {stages}. Written by sss_ref from the stages; do not edit."""
+
+import numpy as np
+
+from sss_ref.cache.compiled import compiled
+from sss_ref.numerics.scalar import exp2_scalar, exp_scalar, log2_scalar, pow_scalar
+from sss_ref.raster.interpolate import barycentric
+
+'''
+
+FLOATS: dict[Any, list[str]] = {  # type -> how its floats are named
+    **{kind: suffixes(kind) for kind in (float, vec2, vec3, vec4)},
+    mat3: [f"_{row}{column}" for row in range(3) for column in range(3)],
+    mat4: [f"_{row}{column}" for row in range(4) for column in range(4)],
+}
+RESERVED = ("row", "column", "width", "step", "piece", "primitives", "here")
+CORNER_NAMES = ("a", "b", "c", "wa", "wb", "wc", "weight", "varying")
+CORNERS = (
+    "a, b, c = primitives.corners[here, 0], primitives.corners[here, 1], primitives.corners[here, 2]",
+    "wa, wb, wc = barycentric(primitives, here, column, row, step)",
+    "weight = (wa + wb) + wc",
+    "varying = primitives.attributes",
+)
+INTERPOLATED = "((varying[a, {k}] * wa + varying[b, {k}] * wb) + varying[c, {k}] * wc) / weight"  # rule R5
+
+
+def vertex_source(one: Pass, varyings: Mapping[str, int]) -> str:
+    """The source of the module with `vertices`; varyings: the wanted ones -> their first attribute column."""
+    assert isinstance(one.draw, MeshDraw)
+    lines = Lines(depth=2)
+    return _module(one, (one.draw.vertex,), vertex_function(one.draw, varyings, lines), lines)
+
+
+def fragment_source(one: Pass, buffers: Iterable[str], outputs: Iterable[str], varyings: Mapping[str, int]) -> str:
+    """The source of the module with `fragments`.
+
+    buffers: the names it reads from earlier passes; outputs: those it is to fill; varyings: first attribute column.
+    """
+    writer = _FragmentLoop(one, set(buffers), list(outputs), varyings)
+    return _module(one, one.stages, writer.function(), writer.lines)
+
+
+def _module(one: Pass, stages: Iterable[Stage], function: str, lines: Lines) -> str:
+    constants = "".join(f"{name} = {value}\n" for name, value in sorted(lines.literals.items()))
+    header = HEADER.format(name=one.name, stages=", ".join(stage.name for stage in stages))
+    return header + constants + "\n\n" + function
+
+
+def packed(reads: Mapping[str, Any], buffers: Iterable[str]) -> list[str]:
+    """The uniforms that a function takes in one float32 array, `uniforms`, one after the other."""
+    return [name for name, kind in reads.items() if name not in buffers and kind in FLOATS]
+
+
+def loose(reads: Mapping[str, Any], buffers: Iterable[str]) -> list[str]:
+    """What a function takes as arguments of their own: buffers, uniform arrays and integers."""
+    together = set(packed(reads, buffers))
+    return [name for name in reads if name not in together]
+
+
+def vertex_reads(draw: MeshDraw) -> dict[str, Any]:
+    """Name -> type of what `vertices` reads: attributes of the mesh, uniforms and textures."""
+    return {draw.vertex.reads[own]: kind for own, kind in draw.vertex.parameters.items()}
+
+
+def unpacked(reads: Mapping[str, Any], buffers: Iterable[str], lines: Lines) -> dict[str, Value]:
+    """The uniforms as values: the packed ones taken out of their array before the loop."""
+    values: dict[str, Value] = {}
+    first = 0
+    for name in packed(reads, buffers):
+        ends = FLOATS[reads[name]]
+        values[name] = [
+            lines.bind(name + end, Scalar(f"uniforms[{first + k}]", True, False)) for k, end in enumerate(ends)
+        ]
+        first += len(ends)
+    for name in loose(reads, buffers):
+        if name not in buffers:
+            values[name] = [Scalar(name, True, True)] if reads[name] is int else Memory(name, reads[name])
+    return values
+
+
+def vertex_function(draw: MeshDraw, varyings: Mapping[str, int], lines: Lines) -> str:
+    """`vertices(uniforms, mesh attributes and textures, clip_position, attributes)`: fill the last two."""
+    reads = vertex_reads(draw)
+    given = loose(reads, MESH_ATTRIBUTES)
+    for name in given:
+        lines.fresh(name)
+    values = unpacked(reads, MESH_ATTRIBUTES, lines)
+    for name in (name for name in given if name in MESH_ATTRIBUTES):
+        ends = enumerate(suffixes(reads[name]))
+        values[name] = [lines.bind(name + end, Scalar(f"{name}[vertex, {k}]", False, False)) for k, end in ends]
+    names = {own: values[name] for own, name in draw.vertex.reads.items()}
+    results = Lowering(lines, names).run(draw.vertex.body)
+    for k, value in enumerate(results[CLIP_POSITION]):
+        lines.add(f"clip_position[vertex, {k}] = {value.text}")
+    for own, scalars in results.items():
+        for k, value in enumerate(scalars if draw.vertex.writes[own] in varyings else []):
+            lines.add(f"attributes[vertex, {varyings[draw.vertex.writes[own]] + k}] = {value.text}")
+    head = f"@compiled\ndef vertices(uniforms, {', '.join(given)}, clip_position, attributes):\n"
+    body = [INDENT + line for line in lines.before]
+    body += [f"{INDENT}for vertex in range(len(clip_position)):", *lines.inside]
+    return head + "\n".join(body) + "\n"
+
+
+class _FragmentLoop:
+    """Writes `fragments(row0, row1, width, the draw, uniforms and buffers, outputs, backgrounds)`."""
+
+    def __init__(self, one: Pass, buffers: set[str], outputs: list[str], varyings: Mapping[str, int]) -> None:
+        self.one, self.buffers, self.outputs, self.varyings = one, buffers, outputs, varyings
+        self.lines = Lines(depth=3)
+        self.values: dict[str, Value] = {}
+        for taken in (*RESERVED, *CORNER_NAMES, *one.reads):
+            self.lines.fresh(taken)
+
+    def function(self) -> str:
+        """The whole function."""
+        self.values |= unpacked(self.one.reads, self.buffers, self.lines)
+        self.values[PIXEL] = [Scalar("column", False, True), Scalar("row", False, True)]
+        draw = self.one.draw
+        if isinstance(draw, MeshDraw):
+            self.interpolation(draw)
+        for stage in self.one.stages:
+            self.stage(stage)
+        self.stores()
+        rectangle = ["stencil"] if isinstance(draw, ScreenDraw) and draw.stencil else []
+        given = ["piece", "primitives", "step"] if isinstance(draw, MeshDraw) else rectangle
+        taken = ["row0", "row1", "width", *given, "uniforms", *loose(self.one.reads, self.buffers)]
+        filled = [f"out_{name}" for name in self.outputs]
+        head = f"@compiled\ndef fragments({', '.join(taken + filled)}, background):\n"
+        loop = [
+            *(INDENT + line for line in self.lines.before),
+            f"{INDENT}for row in range(row0, row1):",
+            f"{INDENT * 2}for column in range(width):",
+            *self.skip(),
+            *self.lines.inside,
+        ]
+        return head + "\n".join(loop) + "\n"
+
+    def skip(self) -> list[str]:
+        """Leave a pixel without fragment to the background."""
+        if isinstance(self.one.draw, MeshDraw):
+            test = [INDENT * 3 + "here = piece[row, column]", INDENT * 3 + "if here < 0:"]
+        elif self.one.draw.stencil:
+            test = [INDENT * 3 + "if stencil[row, column] == 0:"]
+        else:
+            return []
+        places = [(name, channel) for name in self.outputs for channel in self.channels(name)]
+        clear = [
+            f"{INDENT * 4}out_{name}[row, column{channel}] = background[{k}]"
+            for k, (name, channel) in enumerate(places)
+        ]
+        return [*test, *clear, INDENT * 4 + "continue"]
+
+    def channels(self, name: str) -> list[str]:
+        """The index after [row, column of each channel of a buffer."""
+        count = CHANNELS[self.one.values[name]]
+        return [""] if count == 1 else [f", {channel}" for channel in range(count)]
+
+    def interpolation(self, draw: MeshDraw) -> None:
+        """The varyings of this fragment."""
+        for line in CORNERS:
+            self.lines.add(line)
+        for name, first in self.varyings.items():
+            ends = enumerate(suffixes(draw.varyings[name]))
+            texts = [(end, INTERPOLATED.format(k=first + k)) for k, end in ends]
+            self.values[name] = [self.lines.bind(name + end, Scalar(text, False, False)) for end, text in texts]
+        self.values[draw.triangle] = [Scalar("primitives.triangle[here]", False, False)]
+        self.values[draw.coverage] = [Scalar("1", False, True)]
+
+    def stage(self, stage: Stage) -> None:
+        """One stage, in its own scope; its outputs are there for the stages after it."""
+        self.lines.add(f"# {stage.name}")
+        names = {own: self.read(stage.reads[own], kind) for own, kind in stage.parameters.items()}
+        results = Lowering(self.lines, names, prefix=f"{stage.name}_").run(stage.body)
+        for own, scalars in results.items():
+            ends = suffixes(stage.outputs[own])
+            name = stage.writes[own]
+            pairs = zip(scalars, ends, strict=True)
+            self.values[name] = [self.lines.bind(f"{name}{end}", replace_uniform(value)) for value, end in pairs]
+
+    def read(self, name: str, kind: Any) -> Value:
+        """What a stage reads under a name, as in the array interpreter."""
+        if get_origin(kind) is Texture:
+            return Memory(name, kind)
+        if name not in self.values:
+            self.values[name] = self.own_pixel(name, kind)
+        return self.values[name]
+
+    def own_pixel(self, name: str, kind: Any) -> list[Scalar]:
+        """A buffer's value at this very pixel."""
+        channels = [""] if CHANNELS[kind] == 1 else [f", {channel}" for channel in range(CHANNELS[kind])]
+        test = " != 0" if kind is bool else ""
+        return [
+            self.lines.bind(f"{name}_here{end}", Scalar(f"{name}[row, column{channel}]{test}", False, False))
+            for channel, end in zip(channels, suffixes(kind), strict=True)
+        ]
+
+    def stores(self) -> None:
+        """Write the outputs that are wanted."""
+        for name in self.outputs:
+            value = self.values[name]
+            assert isinstance(value, list)
+            for channel, scalar in zip(self.channels(name), value, strict=True):
+                self.lines.add(f"out_{name}[row, column{channel}] = {scalar.text}")
+
+
+def replace_uniform(value: Scalar) -> Scalar:
+    """An output is a value of the fragment even where it depends on uniforms alone."""
+    return Scalar(value.text, False, value.atomic)

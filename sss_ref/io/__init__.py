@@ -1,1 +1,0 @@
-"""Writing results to disk and reading them back: NPY, PNG, EXR, the contact sheet and the manifest."""

@@ -1,0 +1,1 @@
+"""What the printed figures compute: its own stages, byte targets, and the passes of both methods."""

@@ -1,0 +1,1 @@
+"""Buffers as pictures to look at."""

@@ -1,0 +1,64 @@
+"""The preview: colours in 8 bits, as sRGB (IEC 61966-2-1) or as they are, in a PNG file, top row first."""
+
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from sss_ref.scene_file.settings import SceneFile
+
+
+@cache
+def srgb_edges() -> np.ndarray:
+    """The least float32 linear value of each code from 1 to 255, float32 (255,).
+
+    Code k stands for encoded values from (k - 1/2)/255 on. Decoding those bounds once, at 50 digits, leaves only
+    comparisons to the encoder, so the same pixels come out on every processor.
+    """
+    return np.array([_least_float32_of_code(code) for code in range(1, 256)], np.float32)
+
+
+def _least_float32_of_code(code: int) -> np.float32:
+    from mpmath import mp, mpf
+
+    with mp.workdps(50):
+        encoded = (mpf(code) - mpf("0.5")) / 255
+        low = encoded <= mpf("0.04045")
+        linear = encoded / mpf("12.92") if low else ((encoded + mpf("0.055")) / mpf("1.055")) ** mpf("2.4")
+        nearest = np.float32(float(linear))
+        return nearest if mpf(float(nearest)) >= linear else np.nextafter(nearest, np.float32(1))
+
+
+def srgb8(linear: np.ndarray) -> np.ndarray:
+    """Linear float32 values, of any shape, as sRGB codes 0 to 255 (uint8); values outside 0 to 1 are cut off."""
+    return np.searchsorted(srgb_edges(), linear, side="right").astype(np.uint8)
+
+
+def plain8(values: np.ndarray) -> np.ndarray:
+    """float32 values, of any shape, as 0 to 255 (uint8) without encoding; values outside 0 to 1 are cut off."""
+    return np.rint(np.clip(values, 0, 1) * np.float32(255)).astype(np.uint8)
+
+
+def encoding_of(settings: SceneFile) -> Callable[[np.ndarray], np.ndarray]:
+    """How a scene's colours become 8 bits; the printed figures show theirs without sRGB encoding."""
+    return plain8 if settings.preset == "published" else srgb8
+
+
+def write_png(
+    path: Path,
+    image: np.ndarray,
+    coverage: np.ndarray | None = None,
+    encode: Callable[[np.ndarray], np.ndarray] = srgb8,
+) -> None:
+    """Write a linear RGB image float32 (H, W, 3), row 0 at the bottom, as a PNG file at `path`.
+
+    coverage: 0 to 1 (H, W), becomes alpha (colour is not premultiplied by it); None: no alpha channel.
+    encode: what brings linear values to 8 bits, `srgb8` or `plain8`.
+    """
+    import imageio.v3 as imageio
+
+    pixels = encode(image)
+    if coverage is not None:
+        pixels = np.dstack((pixels, plain8(coverage)))
+    imageio.imwrite(path, pixels[::-1])

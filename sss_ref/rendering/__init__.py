@@ -1,0 +1,1 @@
+"""A scene's passes, drawn and folded over a dictionary of buffers."""

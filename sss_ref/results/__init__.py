@@ -1,0 +1,1 @@
+"""Result folders: written whole, read again, verified, compared."""

@@ -1,0 +1,79 @@
+"""The result folder: pictures, buffers and manifest, all there or not there at all."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+
+from sss_ref.errors import DumpError
+from sss_ref.pictures.overview import write_overview
+from sss_ref.pictures.png_file import encoding_of, write_png
+from sss_ref.rendering.result import Result
+from sss_ref.rendering.samples import SampledResult
+from sss_ref.results.exr_file import write_exr
+from sss_ref.results.manifest import FILE_NAME, FORMAT, Manifest, manifest_of, scene_hash
+from sss_ref.results.whole_folder import appearing, writable
+
+
+def save(result: Result, folder: Path, interpreter: str | None = None, threads: int | None = None) -> Path:
+    """Write a rendering into `folder`, replacing an earlier result there; returns the absolute path.
+
+    interpreter, threads: what it was rendered with, for the manifest. Writes `image.png` (if the image was kept),
+    `overview.png`, `buffers.exr`, `buffers/NAME.npy` and `manifest.json`.
+    Raises DumpError where the folder is not ours to replace or cannot be written; it is then left as it was.
+    """
+    folder = checked_target(folder)
+    with appearing(folder) as part:
+        _write(result, manifest_of(result, interpreter, threads), part)
+    return folder
+
+
+def checked_target(folder: Path) -> Path:
+    """The absolute path of a folder that a result can be written to. Raises DumpError where it cannot."""
+    return writable(folder, _is_result, "an earlier result")
+
+
+def read_buffer(path: Path) -> np.ndarray:
+    """The buffer (H, W) or (H, W, C), row 0 at the bottom, in the NPY file at `path`; DumpError if it is none."""
+    try:
+        return np.load(path, allow_pickle=False)
+    except (OSError, ValueError, EOFError) as error:
+        raise DumpError(f"{path}: expected a buffer in NPY format, got {error}; render the scene again") from None
+
+
+def _is_result(folder: Path) -> bool:
+    """Whether a folder has a manifest of this package, of whatever version."""
+    try:
+        return json.loads((folder / FILE_NAME).read_bytes())["format"] == FORMAT
+    except (OSError, ValueError, LookupError, TypeError):
+        return False
+
+
+def _write(result: Result, manifest: Manifest, folder: Path) -> None:
+    (folder / "buffers").mkdir()
+    for name, buffer in result.buffers.items():
+        np.save(folder / "buffers" / f"{name}.npy", buffer.astype(buffer.dtype.newbyteorder("<"), copy=False))
+    camera = result.scene.settings.camera
+    origin: dict[str, str | int] = {
+        "version": manifest.package_version,
+        "rules_version": manifest.rules_version,
+        "scene_sha256": scene_hash(result.scene),
+    }
+    write_exr(folder / "buffers.exr", result.buffers, (camera.width, camera.height), origin)
+    if "image" in result.buffers:
+        write_png(folder / "image.png", *_preview(result), encode=encoding_of(result.scene.settings))
+    write_overview(folder / "overview.png", result)
+    (folder / FILE_NAME).write_text(manifest.model_dump_json(indent=2) + "\n", encoding="utf-8")
+
+
+def _preview(result: Result) -> tuple[np.ndarray, np.ndarray | None]:
+    """Colour and coverage of image.png; PNG wants the model's colour at its edges, without the background behind it.
+
+    A picture whose blur reaches beyond the model has no alpha: it would hide the halo.
+    """
+    settings = result.scene.settings
+    if settings.method == "screen_space" and settings.blur.mask == "none":
+        return result.image, None
+    if isinstance(result, SampledResult):
+        return result.foreground, result.coverage
+    return result.image, result.buffers.get("coverage")

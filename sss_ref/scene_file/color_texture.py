@@ -1,0 +1,87 @@
+"""Colour textures: 8-bit sRGB pictures, decoded to linear float32 by a table."""
+
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sss_ref.errors import SceneError
+from sss_ref.numerics.trigonometry import fifty_digits
+from sss_ref.scene_file.quantities import LARGEST_SIZE
+
+MODES = ("1", "L", "LA", "P", "PA", "RGB", "RGBA")  # Pillow's names of what has 8 bits a channel or fewer
+PNG_DEPTH = slice(24, 25)  # where a PNG file says how many bits a channel has
+
+FloatArray = NDArray[np.float32]
+
+
+def load_texture(path: Path) -> FloatArray:
+    """The texels of a PNG or JPEG file: linear RGB float32 (H, W, 3), row 0 at the bottom.
+
+    Read as sRGB with 8 bits a channel, whatever profile is in the file. Grey becomes RGB; alpha is not used. Raises
+    SceneError for anything else, for a side of more than 16384 texels, and for what Pillow takes for a bomb (more
+    than 178 million texels).
+    """
+    try:
+        with _opened(path) as (image, depth):
+            _check(image, depth)
+            codes = np.asarray(image.convert("RGB"))
+    except SceneError:
+        raise
+    except Exception as error:  # whatever a broken picture makes Pillow raise
+        reason = f"one that cannot be read ({type(error).__name__}: {error})".splitlines()[0]
+        raise SceneError(f"expected a PNG or JPEG picture, got {reason}; export it again") from None
+    return srgb_decoded()[codes[::-1]]
+
+
+def texture_size(path: Path) -> tuple[int, int]:
+    """Width and height that a picture declares; 0, 0 where it declares none, which `load_texture` will refuse."""
+    try:
+        with _opened(path) as (image, _):
+            return image.size
+    except Exception:  # whatever a broken picture makes Pillow raise
+        return 0, 0
+
+
+@cache
+def srgb_decoded() -> FloatArray:
+    """The linear value of each 8-bit sRGB code, correctly rounded to float32 (256,).
+
+    c/12.92 up to c = 0.04045, then ((c + 0.055)/1.055)^2.4, with c = code/255 (IEC 61966-2-1).
+    """
+    return np.array([_decoded(code) for code in range(256)], np.float32)
+
+
+@contextmanager
+def _opened(path: Path) -> Iterator[tuple[Any, bytes]]:
+    """A picture of which only the header was read, and the byte where PNG has its depth."""
+    from PIL import Image
+
+    with warnings.catch_warnings(), path.open("rb") as file:
+        warnings.simplefilter("ignore")
+        depth = file.read(PNG_DEPTH.stop)[PNG_DEPTH]
+        with Image.open(file, formats=("PNG", "JPEG")) as image:
+            yield image, depth
+
+
+def _decoded(code: int) -> float:
+    mp = fifty_digits()
+    c = mp.mpf(code) / 255
+    linear = (
+        c / mp.mpf("12.92") if c <= mp.mpf("0.04045") else ((c + mp.mpf("0.055")) / mp.mpf("1.055")) ** mp.mpf("2.4")
+    )
+    return float(mp.fadd(linear, 0, prec=24))  # to the precision of float32 in one step, not by way of float64
+
+
+def _check(image: Any, depth: bytes) -> None:
+    if max(image.size) > LARGEST_SIZE:
+        came = "{} x {}".format(*image.size)
+        raise SceneError(f"expected at most {LARGEST_SIZE} texels a side, got {came}; scale it down")
+    if image.mode not in MODES or (image.format == "PNG" and depth == b"\x10"):
+        came = "16 bits" if image.format == "PNG" else image.mode
+        raise SceneError(f"expected grey or RGB of 8 bits a channel, got {came}; convert the picture")

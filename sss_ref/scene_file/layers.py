@@ -1,0 +1,83 @@
+"""A scene in layers: the preset at the bottom, the file on it, the overrides on top."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from sss_ref.errors.wording import KeyPath, told
+from sss_ref.scene_file.presets import PRESETS
+
+DEFAULT_PRESET = "paper"
+
+
+def filled(data: Mapping[str, Any]) -> dict[str, Any]:
+    """`data` on top of the preset it names; a preset nobody knows is left for validation to report.
+
+    What a preset has of lights lies below every light.
+    """
+    name = data.get("preset", DEFAULT_PRESET)
+    preset = PRESETS.get(name if isinstance(name, str) else DEFAULT_PRESET, PRESETS[DEFAULT_PRESET])
+    lights = data.get("lights")
+    if isinstance(lights, list | tuple):
+        data = {**data, "lights": [laid(preset.get("lights", {}), light) for light in lights]}
+    return {key: value for key, value in laid(preset, data).items() if key in data or key != "lights"}
+
+
+def laid(lower: Any, upper: Any) -> Any:
+    """`upper` on top of `lower`: tables key by key, all else whole.
+
+    A table that names another `type` than the one below replaces it: the keys of an orbit mean nothing to a free
+    camera.
+    """
+    if not (isinstance(lower, Mapping) and isinstance(upper, Mapping)):
+        return upper
+    if lower.get("type", upper.get("type")) != upper.get("type", lower.get("type")):
+        return dict(upper)
+    return {**lower, **{key: laid(lower.get(key), value) for key, value in upper.items()}}
+
+
+def overridden(data: Mapping[str, Any], overrides: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
+    """`data` with each override laid on it, and the problems found on the way.
+
+    overrides: key path -> value, such as "camera.width", "lights.0.intensity" or a table under its name.
+    """
+    result, problems = dict(data), []
+    for key, value in overrides.items():
+        try:
+            result = _placed(result, key.split("."), value)
+        except LookupError as error:
+            problems.append(told(key, error.args[0], error.args[1], "correct it"))
+    return result, problems
+
+
+def override_paths(overrides: Mapping[str, Any]) -> set[KeyPath]:
+    """The key paths of all single values in `overrides`."""
+    paths: set[KeyPath] = set()
+    for key, value in overrides.items():
+        head = tuple(int(part) if _is_index(part) else part for part in key.split("."))
+        inner = override_paths(value) if isinstance(value, Mapping) else set()
+        paths |= {head + path for path in inner} or {head}
+    return paths
+
+
+def is_overridden(path: KeyPath, paths: set[KeyPath]) -> bool:
+    """Whether the value at `path` holds an override, or is part of one."""
+    return any(path[: len(other)] == other[: len(path)] for other in paths)
+
+
+def _is_index(part: str) -> bool:
+    """Whether a part of a key stands for a place in an array; Python refuses to read numbers of thousands of digits."""
+    return part.isdecimal() and len(part) < 10
+
+
+def _placed(base: Any, path: list[str], value: Any) -> Any:
+    """A copy of `base` with `value` laid on what is at `path`."""
+    if not path:
+        return laid(base, value)
+    head, *rest = path
+    if isinstance(base, (list, tuple)):
+        if not (_is_index(head) and int(head) < len(base)):
+            raise LookupError(f"an index below {len(base)}", head)
+        index = int(head)
+        return [*base[:index], _placed(base[index], rest, value), *base[index + 1 :]]
+    table = base if isinstance(base, Mapping) else {}
+    return {**table, head: _placed(table.get(head), rest, value)}

@@ -1,0 +1,88 @@
+"""From a scene file's text to its settings, or to one error that lists everything wrong with it."""
+
+import os
+import tomllib
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from sss_ref.errors import SceneError
+from sss_ref.errors.wording import KeyPath, described, told
+from sss_ref.scene_file import settings, viewpoints
+from sss_ref.scene_file.layers import filled, is_overridden, overridden, override_paths
+from sss_ref.scene_file.presets import misfits
+from sss_ref.scene_file.shipped import scene_names, scene_path
+
+# Which model a table of the file has, by its keys: what is known there.
+TABLES: dict[KeyPath, type[BaseModel]] = {
+    (): settings.SceneFile,
+    ("mesh",): settings.MeshSettings,
+    ("camera", "orbit"): viewpoints.OrbitCamera,
+    ("camera", "look_at"): viewpoints.LookAtCamera,
+    ("camera", "free"): viewpoints.FreeCamera,
+    ("lights",): viewpoints.LightSettings,
+    ("shadow_map",): settings.ShadowMap,
+    ("phong",): settings.Phong,
+    ("translucency",): settings.Translucency,
+    ("blur",): settings.Blur,
+    ("irradiance_map",): settings.IrradianceMap,
+    ("output",): settings.Output,
+}
+
+
+@dataclass(frozen=True)
+class Document:
+    """A scene file as parsed."""
+
+    data: Mapping[str, Any]
+    source: str  # what error messages call it
+    folder: Path  # what its paths are relative to
+
+
+def opened(scene: str | os.PathLike[str] | Mapping[str, Any]) -> Document:
+    """The document of a path, of a shipped scene's name, or of a dictionary that was parsed already."""
+    if isinstance(scene, Mapping):
+        return Document(scene, "scene", Path())
+    name = os.fspath(scene)
+    path = scene_path(name) if name in scene_names() else Path(name)
+    return Document(_parsed(path, name), name, path.parent)
+
+
+def validated(document: Document, overrides: Mapping[str, Any]) -> settings.SceneFile:
+    """The settings with every key filled but those that are fitted to the mesh. Raises SceneError."""
+    given, misplaced = overridden(document.data, overrides)
+    data, paths = filled(given), override_paths(overrides)
+    problems = [f"override: {problem}" for problem in misplaced]
+    try:
+        result = settings.SceneFile.model_validate(data, context={"folder": document.folder})
+    except ValidationError as error:
+        problems += _attributed(_problems_of(error), document.source, paths)
+    problems += _attributed(misfits(data), document.source, paths)
+    if problems:
+        raise SceneError("\n".join(problems))
+    return result
+
+
+def _parsed(path: Path, name: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        expected = f"a scene file or a shipped scene ({', '.join(scene_names())})"
+        raise SceneError(told(name, expected, error.strerror or "none", "check the name")) from None
+    except (ValueError, RecursionError) as error:  # not UTF-8, not TOML, or nested without end
+        raise SceneError(told(name, "valid TOML", str(error), "correct that place")) from None
+
+
+def _problems_of(error: ValidationError) -> Iterator[tuple[KeyPath, str]]:
+    """Key path and problem of every error that pydantic found."""
+    for details in error.errors():
+        table = tuple(part for part in details["loc"][:-1] if isinstance(part, str))
+        yield described(details, TABLES.get(table, settings.SceneFile).model_fields)
+
+
+def _attributed(problems: Iterable[tuple[KeyPath, str]], source: str, overrides: set[KeyPath]) -> list[str]:
+    """One line per problem, with its source: the scene, or an override."""
+    return [f"{'override' if is_overridden(path, overrides) else source}: {problem}" for path, problem in problems]

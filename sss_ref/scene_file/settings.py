@@ -1,0 +1,228 @@
+"""The scene file: one model per table, every parameter explained here and nowhere else.
+
+World space is right-handed with +Y up. Lengths are scene units, angles degrees, colours linear. A field without a
+default is filled by the preset, or else the file must give it. All models are strict, closed and frozen.
+"""
+
+import os
+from typing import Annotated, Literal
+
+from pydantic import Discriminator, Field, Tag, ValidationInfo, field_validator
+
+from sss_ref.errors.wording import unmet
+from sss_ref.scene.memory import check_memory
+from sss_ref.scene_file.color_texture import texture_size
+from sss_ref.scene_file.kernels import KERNELS, Tap, channel_sums, normalized
+from sss_ref.scene_file.quantities import (
+    LARGEST_SIZE,
+    Color,
+    Count,
+    Inset,
+    NonNegative,
+    Number,
+    Positive,
+    PositiveOrZero,
+    Scale,
+    Size,
+    Table,
+    TapRow,
+    Vector,
+    requiring,
+)
+from sss_ref.scene_file.shipped import find_mesh, mesh_names
+from sss_ref.scene_file.viewpoints import Camera, LightSettings
+
+KernelName = Annotated[Literal["table1", "hbh09", "schoenberger"], Tag("name")]
+KernelTable = Annotated[tuple[TapRow, ...], Field(strict=False), requiring(len, "at least one row"), Tag("table")]
+LIGHTS = requiring(lambda lights: 1 <= len(lights) <= 16, "1 to 16 lights", "add or remove [[lights]]")
+MeshColor = Annotated[
+    Annotated[Literal["material"], Tag("name")] | Annotated[Color, Tag("rgb")],
+    Discriminator(lambda value: "name" if isinstance(value, str) else "rgb"),
+]
+Kernel = Annotated[KernelName | KernelTable, Discriminator(lambda value: "name" if isinstance(value, str) else "table")]
+
+
+class MeshSettings(Table):
+    """[mesh]: the surface, and how it is placed: scaled, rotated about X, then Y, then Z, and translated."""
+
+    path: str
+    """A mesh file, relative to the scene file, or the name of a shipped mesh."""
+    scale: Scale = (1.0, 1.0, 1.0)
+    """Factor on each axis; a single number for all three. Negative factors mirror."""
+    rotate_degrees: Vector = (0.0, 0.0, 0.0)
+    """Angles about the fixed axes X, Y, Z, counter-clockwise seen from the axis' tip."""
+    translate: Vector = (0.0, 0.0, 0.0)
+    """World position of the mesh's origin."""
+    color: MeshColor = (0.7, 0.4, 0.4)
+    """Albedo, linear RGB; "material": of each triangle the colour of its material in the mesh file."""
+    texture: str | None = None
+    """Albedo from a PNG or JPEG file, sRGB, relative to the scene file. It replaces color and repeats beyond 0..1."""
+    unwrap: bool = False
+    """Compute UVs where the mesh has none; needs the extra `unwrap`."""
+
+    @property
+    def albedo(self) -> Literal["texture", "material", "constant"]:
+        """Where the albedo comes from."""
+        if self.texture is not None:
+            return "texture"
+        return "material" if self.color == "material" else "constant"
+
+    @field_validator("path")
+    @classmethod
+    def _exists(cls, path: str, info: ValidationInfo) -> str:
+        if info.context and find_mesh(path, info.context["folder"]) is None:
+            raise unmet("a mesh file or a shipped mesh's name", f"check the path (shipped: {', '.join(mesh_names())})")
+        return path
+
+    @field_validator("texture")
+    @classmethod
+    def _texture_exists(cls, texture: str | None, info: ValidationInfo) -> str | None:
+        if texture is not None and info.context and not os.path.isfile(info.context["folder"] / texture):
+            raise unmet("a PNG or JPEG file", "check the path, which starts at the scene file")
+        return texture
+
+
+class ShadowMap(Table):
+    """[shadow_map]: what the light sees, and how a fragment asks whether the light reaches it (paper 2.1)."""
+
+    width: Size = 2048
+    """Texels in a row."""
+    height: Size = 2048
+    """Rows."""
+    filter: Literal["nearest", "bilinear"] = "nearest"
+    """How light_distance is sampled."""
+    lookup_inset: Inset = 1.0
+    """Factor on the normalised device coordinates before the lookup."""
+    test: Literal["slope", "literal", "exact"] = "slope"
+    """Bias of the shadow test: grows with the surface's slope, or bias_abs alone (paper 3.2); exact: thickness 0."""
+    bias_abs: NonNegative = 0.0
+    """Constant part of the bias, scene units."""
+    bias_slope: NonNegative = 1.5
+    """Factor on the depth that one texel spans."""
+    encoding: Literal["float32", "unorm8"] = "float32"
+    """What a texel can hold: any number, or 256 steps from 0 to 1; unorm8 is also that of irradiance, lit and image."""
+    lookup_stage: Literal["fragment", "vertex"] = "fragment"
+    """Where the entry point is computed; from vertices it is interpolated."""
+
+
+class Phong(Table):
+    """[phong]: the surface's reflection model (paper 3.2)."""
+
+    ambient: NonNegative = 0.1
+    """Light from everywhere; no unit."""
+    diffuse: NonNegative = 1.0
+    """Weight of max(N.L, 0)."""
+    specular: NonNegative = 0.5
+    """Weight of the highlight."""
+    shininess: Positive = 32.0
+    """Exponent of the highlight."""
+
+
+class Translucency(Table):
+    """[translucency]: the light T that comes through a thickness d, and how it joins reflected light (paper 3.2)."""
+
+    form: Literal["ratio", "exponent", "beer"]
+    """ratio: x^y / d^exponent; exponent: x^(y / d^exponent); beer: exp(-x * d)."""
+    combine: Literal["multiply", "add", "transmit"]
+    """multiply: the reflected light is scaled by T; add: T is added, less where the light is faced;
+    transmit: T is added where the surface faces away."""
+    x: Positive
+    """Base (beer: extinction per scene unit)."""
+    y: Number
+    """Power of the base."""
+    exponent: Number = 0.6
+    """Power of the thickness."""
+    scale: NonNegative
+    """Factor on T where it is added."""
+    d_min: PositiveOrZero
+    """Smallest thickness that T is computed from, scene units."""
+
+
+class Blur(Table):
+    """[blur]: the screen-space diffusion (paper 3.2)."""
+
+    kernel: Kernel
+    """The name of a published kernel, or rows [X, Y, red, green, blue] with X, Y in pixels."""
+    pixel_scale: NonNegative
+    """Factor on X and Y."""
+    mask: Literal["none", "output", "taps"]
+    """Where it acts: everywhere, on covered pixels, or on covered pixels from covered taps only."""
+    normalize: bool = False
+    """Whether each channel's weights are divided by their sum."""
+
+    @property
+    def taps(self) -> tuple[Tap, ...]:
+        """The rows (X, Y, red, green, blue) in use: X, Y in pixels before pixel_scale; weights normalised if asked."""
+        rows = _rows(self.kernel)
+        return normalized(rows) if self.normalize else rows
+
+    @field_validator("pixel_scale")
+    @classmethod
+    def _within_reach(cls, pixel_scale: float, info: ValidationInfo) -> float:
+        reach = max(max(abs(x), abs(y)) for x, y, *_ in _rows(info.data.get("kernel", "table1")))
+        if reach * pixel_scale > LARGEST_SIZE:
+            raise unmet(f"taps within {LARGEST_SIZE} pixels (the farthest is at {reach:g})", "choose a smaller scale")
+        return pixel_scale
+
+    @field_validator("normalize")
+    @classmethod
+    def _has_weight(cls, normalize: bool, info: ValidationInfo) -> bool:
+        if normalize and not all(channel_sums(_rows(info.data.get("kernel", "table1")))):
+            raise unmet("a kernel whose channels have sums other than 0", "set it to false or change the kernel")
+        return normalize
+
+
+class IrradianceMap(Table):
+    """[irradiance_map]: the light that arrives at the surface, laid out by UV (paper 2.2)."""
+
+    width: Size = 1024
+    """Texels in a row."""
+    height: Size = 1024
+    """Rows."""
+    mode: Literal["paper", "lambert", "distance"]
+    """paper: D * max(N.L, 0); lambert: max(N.L, 0) where the light reaches; distance: D."""
+    image: Literal["sqrt", "product", "sqrt_add"]
+    """How the image is made of irradiance and reflected light: their geometric mean, their product, or their geometric
+    mean with T added."""
+    overlap: Literal["first", "last", "error"] = "first"
+    """Which of two triangles owns a texel that both cover."""
+    dilate: Count
+    """Texels by which the charts are widened before the blur."""
+
+
+class Output(Table):
+    """[output]: the picture."""
+
+    background: Color = (0.0, 0.0, 0.0)
+    """Linear RGB where no surface is."""
+
+
+class SceneFile(Table):
+    """A whole scene file with every key filled."""
+
+    method: Literal["screen_space", "texture_space"] = "screen_space"
+    """Where the light is diffused: in the image (paper 2.1) or on the surface (paper 2.2)."""
+    preset: Literal["paper", "robust", "published"] = "paper"
+    """What fills the keys that are not given; published also has passes of its own."""
+    mm_per_unit: Positive = 1.0
+    """Millimetres per scene unit: a note for the reader. T depends on the unit, so it is never converted."""
+    mesh: MeshSettings
+    camera: Camera
+    lights: Annotated[tuple[LightSettings, ...], Field(strict=False), LIGHTS]
+    shadow_map: ShadowMap = ShadowMap()
+    phong: Phong = Phong()
+    translucency: Translucency
+    blur: Blur
+    irradiance_map: IrradianceMap
+    output: Output = Output()
+
+    @field_validator("output")  # the last table, so that all others are known
+    @classmethod
+    def _fits_memory(cls, output: Output, info: ValidationInfo) -> Output:
+        texture = info.data["mesh"].texture if "mesh" in info.data else None
+        check_memory(info.data, texture_size(info.context["folder"] / texture) if info.context and texture else (0, 0))
+        return output
+
+
+def _rows(kernel: str | tuple[Tap, ...]) -> tuple[Tap, ...]:
+    return KERNELS[kernel] if isinstance(kernel, str) else kernel

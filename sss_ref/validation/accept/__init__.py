@@ -1,0 +1,1 @@
+"""What a correct processor may have written, stage by stage."""

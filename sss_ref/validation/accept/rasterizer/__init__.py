@@ -1,0 +1,1 @@
+"""What a correct rasterizer may show at each pixel."""

@@ -1,0 +1,1 @@
+"""What explains a wrong stage, tried on its very pixels."""

@@ -1,0 +1,206 @@
+"""What may be wrong with a stage: every explanation is tried on the very pixels, and those that fit are ranked.
+
+Tried are: another number for each uniform of the stage, another stage in its place, the kernel turned round, every
+mutant of its source, and what happens to a buffer on its way (rows flipped, channels swapped, sRGB, fewer bits); of a
+draw, what its triangles may have come to (culling, depth test, half a pixel, fewer subpixel bits).
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from sss_ref.language import Stage
+from sss_ref.language.types import Array, Texture, Vector, components, mat3, mat4
+from sss_ref.scene_file.kernels import KERNELS
+from sss_ref.validation.accept.drawn import Buffers, Drawn, Pixels, stacked
+from sss_ref.validation.accept.rebased import RASTERIZER, Check, Judgement, Step, walk
+from sss_ref.validation.cause.mishaps import mishaps
+from sss_ref.validation.cause.mutants import Mutant, mutants
+from sss_ref.validation.cause.on_the_way import passages, within
+
+SAMPLE = 600  # pixels on which explanations are tried
+TELLING = 8  # wrong pixels from which on explanations mean something
+EVERY = 15  # of these the ones on which a mutant is tried first
+NEVER_WRONG = ("light_count",)  # uniforms that nobody sets by hand
+ENOUGH = 0.98  # of these that an explanation must bring within reach
+
+
+@dataclass(frozen=True)
+class Hypothesis:
+    """An explanation in words, and the share of the sampled pixels that it brings within reach."""
+
+    text: str
+    share: float
+
+
+@dataclass(frozen=True)
+class Sample:
+    """Some pixels of a buffer that a stage got wrong, half of them wrong ones."""
+
+    step: Step
+    name: str
+    got: np.ndarray  # (N, C)
+    reach: np.ndarray  # (N, C), float64
+
+    def share(self, values: Any) -> float:
+        """The share of pixels on which these values (N, C) are what was got."""
+        with np.errstate(all="ignore"):
+            apart = np.abs(np.asarray(values, np.float64) - self.got)
+        return float((apart <= self.reach).all(axis=-1).mean())
+
+    def with_inputs(self, changed: Mapping[str, Any], stage: Stage | None = None) -> np.ndarray:
+        """What the stage, or another one, gives when inputs, by its own names, are others."""
+        given = {**dict(zip(self.step.stage.parameters, self.step.inputs, strict=True)), **changed}
+        stage = stage or self.step.stage
+        with np.errstate(all="ignore"):
+            results = stage(*(given[own] for own in stage.parameters))
+        return stacked(dict(zip(stage.outputs, results, strict=True))[self.own_name])
+
+    def thinned(self) -> "Sample":
+        """Fewer of the pixels."""
+        inputs = [_thinned(value) for value in self.step.inputs]
+        return replace(self, step=replace(self.step, inputs=inputs), got=self.got[::EVERY], reach=self.reach[::EVERY])
+
+    @property
+    def own_name(self) -> str:
+        """The stage's own name for the buffer."""
+        return next(own for own, name in self.step.stage.writes.items() if name == self.name)
+
+
+def hypotheses(
+    check: Check, pass_drawn: Drawn, dumped: Buffers, how: Judgement, others: Mapping[str, Stage]
+) -> list[Hypothesis]:
+    """The explanations that fit, the best first; none for so few wrong pixels that nearly all would.
+
+    others: all stages by name, to be tried in the place of this one.
+    """
+    wrong = check.where & ~within(check, check.got, check.expected)
+    if wrong.sum() < TELLING:
+        return []
+    found = [Hypothesis(text, share) for text, share in passages(check)]
+    if check.stage == RASTERIZER and pass_drawn.visible:
+        found += [Hypothesis(*each) for each in mishaps(pass_drawn.visible, check.buffer, check.got, wrong)]
+    sample = _sample(check, pass_drawn, dumped, how)
+    if sample is not None:
+        tried = (*_numbers(sample), *_other_stages(sample, others), *_kernels(sample), *_mutants(sample))
+        found += [Hypothesis(text, share) for text, share in tried]
+    fitting = [each for each in found if each.share >= ENOUGH]
+    return sorted(fitting, key=lambda each: -each.share)[:8]
+
+
+Tried = Iterator[tuple[str, float]]
+
+
+def _thinned(value: Any) -> Any:
+    if isinstance(value, Vector):
+        return type(value)(*map(_thinned, value))
+    return value[::EVERY] if isinstance(value, np.ndarray) else value
+
+
+def _sample(check: Check, pass_drawn: Drawn, dumped: Buffers, how: Judgement) -> Sample | None:
+    """Half of the sample from the wrong pixels, half from all."""
+    if check.stage not in {stage.name for stage in pass_drawn.work.one.stages}:
+        return None
+    rng = np.random.default_rng(0)
+    wrong = np.argwhere(check.where & ~within(check, check.got, check.expected))
+    compared = np.argwhere(check.where)
+    chosen = [pixels[rng.integers(0, len(pixels), SAMPLE // 2)] for pixels in (wrong, compared)]
+    rows, columns = np.concatenate(chosen).T
+    at: Pixels = (rows, columns)
+    step = next(step for step in walk(pass_drawn, at, dumped, how) if check.buffer in step.results)
+    got, reach = (np.atleast_3d(array)[at].astype(np.float64) for array in (check.got, check.reach))
+    return Sample(step, check.buffer, got, reach)
+
+
+def _numbers(sample: Sample) -> Tried:
+    """Another value of one uniform number, or of one after the other component of a uniform vector."""
+    for own, value in zip(sample.step.stage.parameters, sample.step.inputs, strict=True):
+        parts = [] if isinstance(value, Texture | Array | mat3 | mat4) else components(value)
+        if own not in NEVER_WRONG and parts and all(isinstance(part, np.float32) for part in parts):
+            found, few = list(parts), sample.thinned()
+            for k, part in enumerate(parts):
+                found[k] = np.float32(_fitted(partial(_with_number, few, own, tuple(found), k), part, few))
+            share = sample.share(_with_number(sample, own, tuple(found), 0, found[0]))
+            yield f"{sample.step.stage.reads[own]} is {_listed(found)} instead of {_listed(parts)}", share
+
+
+def _listed(parts: list[Any]) -> str:
+    texts = [f"{float(part):.6g}" for part in parts]
+    return texts[0] if len(texts) == 1 else f"({', '.join(texts)})"
+
+
+def _with_number(sample: Sample, own: str, parts: tuple[Any, ...], k: int, number: np.float32) -> np.ndarray:
+    """What the stage gives with one component of a uniform changed."""
+    changed = [*parts[:k], number, *parts[k + 1 :]]
+    kind = sample.step.stage.parameters[own]
+    return sample.with_inputs({own: changed[0] if len(changed) == 1 else kind(*changed)})
+
+
+def _fitted(compute: Callable[[np.float32], np.ndarray], value: np.float32, sample: Sample) -> float:
+    """The number with which most comes within reach: searched in steps that grow, then halved around the best."""
+
+    def misfit(number: float) -> float:
+        with np.errstate(all="ignore"):
+            apart = np.abs(compute(np.float32(number)).astype(np.float64) - sample.got) / (sample.reach + 1e-30)
+        return float(np.mean(np.nan_to_num(apart, nan=1e30, posinf=1e30)))
+
+    scale = abs(float(value)) or 1.0
+    steps = [0.0, *(sign * scale * 10.0**power for power in np.arange(-5, 1.01, 0.125) for sign in (-1, 1))]
+    candidates = sorted(float(value) + step for step in steps)
+    best = int(np.argmin([misfit(number) for number in candidates]))
+    low, high = candidates[max(best - 1, 0)], candidates[min(best + 1, len(candidates) - 1)]
+    for _ in range(60):
+        third = (high - low) / 3
+        if misfit(low + third) < misfit(high - third):
+            high -= third
+        else:
+            low += third
+    return min(candidates[best], (low + high) / 2, key=misfit)
+
+
+def _other_stages(sample: Sample, others: Mapping[str, Stage]) -> Tried:
+    """Another of our stages that writes the buffer from the same inputs."""
+    there = set(sample.step.stage.parameters)
+    for name, stage in others.items():
+        if name != sample.step.stage.name and sample.own_name in stage.outputs and set(stage.parameters) <= there:
+            yield f"it computes {name}", sample.share(sample.with_inputs({}, stage))
+
+
+def _kernels(sample: Sample) -> Tried:
+    """The taps of a kernel turned round."""
+    given = dict(zip(sample.step.stage.parameters, sample.step.inputs, strict=True))
+    if isinstance(given.get("tap_offset"), Array):
+        offset, weight = given["tap_offset"].data, given["tap_weight"].data
+        turned: dict[str, dict[str, np.ndarray]] = {
+            "x and y of the taps are swapped": {"tap_offset": offset[:, ::-1]},
+            "the taps are mirrored in x": {"tap_offset": offset * np.array([-1, 1], np.float32)},
+            "the taps are mirrored in y": {"tap_offset": offset * np.array([1, -1], np.float32)},
+            "the taps are mirrored in x and y": {"tap_offset": -offset},
+            "the weights' red and blue are swapped": {"tap_weight": weight[:, ::-1]},
+            "the weights belong to the taps in reverse order": {"tap_weight": weight[::-1]},
+            "the weights are divided by their sum": {"tap_weight": weight / weight.sum(axis=0)},
+        }
+        for name, rows in KERNELS.items():
+            table = np.array(rows, np.float32)
+            turned[f"the kernel is {name}"] = {"tap_offset": table[:, :2], "tap_weight": table[:, 2:]}
+        for text, changed in turned.items():
+            arrays: dict[str, Any] = {name: Array(np.ascontiguousarray(data)) for name, data in changed.items()}
+            yield text, sample.share(sample.with_inputs(arrays))
+
+
+def _mutants(sample: Sample) -> Tried:
+    """Every mutant of the stage; a mistake that reads beside a texture is passed over."""
+    few = sample.thinned()
+    for mutant in mutants(sample.step.stage):
+        if _share_of(mutant, few) >= ENOUGH:
+            yield mutant.description, _share_of(mutant, sample)
+
+
+def _share_of(mutant: Mutant, sample: Sample) -> float:
+    try:
+        return sample.share(stacked(mutant(*sample.step.inputs)[sample.name]))
+    except (IndexError, ValueError, TypeError):
+        return 0.0

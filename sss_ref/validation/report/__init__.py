@@ -1,0 +1,1 @@
+"""Verdicts and causes as text, page and JSON."""

@@ -1,0 +1,109 @@
+"""What is said of the whole: which stage is the first that is wrong, why, and how small an error would be seen."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from sss_ref.explanation.rows import Section
+from sss_ref.validation.accept.rebased import Check
+from sss_ref.validation.cause.hypotheses import TELLING, Hypothesis
+from sss_ref.validation.report.metrics import Likeness
+from sss_ref.validation.verdict.power import Power
+from sss_ref.validation.verdict.verdict import Verdict
+
+MOST_NAMED = 6  # suspects in a sentence
+
+
+@dataclass(frozen=True)
+class Finding:
+    """What was found out about the first stage that is wrong.
+
+    check: its buffer beside what should be in it. hypotheses: what would explain it. section: the stage at the worst
+    pixel, line by line, as it should have been and may be, then what was drawn; None for what the rasterizer wrote.
+    """
+
+    check: Check
+    hypotheses: tuple[Hypothesis, ...]
+    section: Section | None
+
+
+@dataclass(frozen=True)
+class Report:
+    """The verdicts in stage order, and what else is known.
+
+    missing: buffers that were not dumped. finding: None if all is right. power: of each judged stage, what would be
+    seen. likeness: what metrics of pictures say, if asked for. profile: the processor that may have drawn the buffers,
+    by name. device: the one that did, in its own words. seconds: phase -> time.
+    """
+
+    verdicts: tuple[Verdict, ...]
+    missing: tuple[str, ...]
+    finding: Finding | None = None
+    power: tuple[Power, ...] = ()
+    likeness: tuple[Likeness, ...] = ()
+    profile: str = ""
+    device: str | None = None
+    seconds: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def culprit(self) -> Verdict | None:
+        """The first buffer that a stage got wrong although it had what it needed."""
+        return next((verdict for verdict in self.verdicts if not verdict.passed), None)
+
+    @property
+    def passed(self) -> bool:
+        """Whether there are verdicts and all are good."""
+        return bool(self.verdicts) and self.culprit is None
+
+    @property
+    def explanations(self) -> list[str]:
+        """What would explain the failure, in sentences."""
+        found = self.finding.hypotheses if self.finding else ()
+        return [f"explained on {each.share:.1%} of the pixels tried: {each.text}" for each in found]
+
+    @property
+    def summary(self) -> str:
+        """The outcome in a sentence."""
+        if not self.verdicts:
+            return "fail: there is no buffer to judge"
+        wrong = self.culprit
+        if wrong is None:
+            return f"pass: {len(self.verdicts)} buffers, every stage gives what it should"
+        at = f"stage {wrong.stage} of pass {wrong.pass_name}"
+        if wrong.compared == wrong.undefined:
+            return f"fail: {at}: no pixel of {wrong.buffer} can be compared"
+        return (
+            f"fail: {at}{_or_before(wrong)} is the first that is wrong: {wrong.failing / wrong.compared:.1%} of the "
+            f"pixels of {wrong.buffer} are out of reach, worst {wrong.worst}"
+        )
+
+    @property
+    def details(self) -> list[str]:
+        """The first wrong pixel, how far off the worst is, and where the wrong pixels lie, in sentences."""
+        wrong = self.culprit
+        if wrong is None or wrong.first is None or wrong.worst is None or wrong.clusters is None:
+            return []
+        worst = wrong.worst
+        far = [f"the worst pixel is {worst.ulps:.3g} ulp beyond its interval, {worst.widths:.3g} times its width"]
+        few = ["too few pixels are wrong to say what would explain it"] if wrong.failing < TELLING else []
+        return [f"first {wrong.first}", *(far if math.isfinite(worst.widths) else []), wrong.clusters.sentence, *few]
+
+    @property
+    def sensitivity(self) -> list[str]:
+        """The smallest relative error in each number that would be seen, and how many mistakes would, in sentences."""
+        tried, seen = (sum(getattr(each, name) for each in self.power) for name in ("mistakes", "seen"))
+        if not self.power:
+            return []
+        unseen = "; ".join(f"{each.stage}: {text}" for each in self.power for text in each.unseen)
+        missed = f"; not: {unseen}" if unseen else ""
+        lines = [str(each) for each in self.power if each.numbers]
+        return [*lines, f"of {tried} mistakes in one place of these stages {seen} would be seen{missed}"]
+
+
+def _or_before(wrong: Verdict) -> str:
+    """The other suspects, the nearest by name; empty if there are none."""
+    before = wrong.suspects[:-1]
+    if not before:
+        return ""
+    more = [f"{len(before) - MOST_NAMED} more"] if len(before) > MOST_NAMED else []
+    return f", or one before it whose output was not given ({', '.join([*more, *before[-MOST_NAMED:]])}),"

@@ -1,0 +1,71 @@
+"""A report as plain data, for programs: what docs/how_to/validate.md describes as report.json."""
+
+import math
+from dataclasses import asdict
+from typing import Any
+
+from sss_ref.explanation.rows import Row
+from sss_ref.explanation.values import shown
+from sss_ref.results.diff import ULP_CLASSES
+from sss_ref.validation.report.report import Report
+from sss_ref.validation.verdict.outcomes import OUTCOMES
+from sss_ref.validation.verdict.verdict import Verdict, WrongPixel
+from sss_ref.validation.verdict.widths import WIDTH_CLASSES
+
+
+def as_json(report: Report) -> dict[str, Any]:
+    """The report as dictionaries, lists, texts and numbers; what JSON has no number for (infinity) is null."""
+    section = report.finding.section if report.finding else None
+    return {
+        "passed": report.passed,
+        "summary": report.summary,
+        "profile": report.profile,
+        "device": report.device,
+        "details": report.details,
+        "explanations": [asdict(each) for each in (report.finding.hypotheses if report.finding else ())],
+        "missing": list(report.missing),
+        "outcomes": list(OUTCOMES),
+        "ulp_classes": list(ULP_CLASSES),
+        "width_classes": list(WIDTH_CLASSES),
+        "buffers": [_buffer(one) for one in report.verdicts],
+        "worst_lines": [_line(row) for row in (section.rows if section else ())],
+        "power": [asdict(each) for each in report.power],
+        "likeness": [asdict(each) for each in report.likeness],
+        "seconds": {name: round(seconds, 3) for name, seconds in report.seconds.items()},
+    }
+
+
+def _buffer(one: Verdict) -> dict[str, Any]:
+    return {
+        "pass": one.pass_name,
+        "stage": one.stage,
+        "buffer": one.buffer,
+        "passed": one.passed,
+        "inherits": one.inherits,
+        "pixels": one.compared,
+        "same_bits": one.equal,
+        "within_chained": one.chained,
+        "outcomes": list(one.outcomes),
+        "ulps": list(one.ulps),
+        "widths": list(one.widths.counts),
+        "width_of_95_percent": _finite(one.widths.most),
+        "first": _pixel(one.first),
+        "worst": _pixel(one.worst),
+        "clusters": asdict(one.clusters) if one.clusters else None,
+        "suspects": list(one.suspects),
+    }
+
+
+def _pixel(pixel: WrongPixel | None) -> dict[str, Any] | None:
+    if pixel is None:
+        return None
+    return asdict(pixel) | {"ulps": _finite(pixel.ulps), "widths": _finite(pixel.widths)}
+
+
+def _line(row: Row) -> dict[str, str | None]:
+    low, high = map(shown, row.bounds) if row.bounds else (None, None)
+    return {"text": row.text, "value": row.value, "low": low, "high": high}
+
+
+def _finite(number: float) -> float | None:
+    return number if math.isfinite(number) else None

@@ -1,0 +1,1 @@
+"""From compared buffers to verdicts: outcomes, widths, clusters, suspects, and what a run would see."""

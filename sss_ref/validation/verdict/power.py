@@ -1,0 +1,205 @@
+"""What a run would see: the smallest error in each number, and the share of mistakes in the source, by stage.
+
+Worked out on the oracle alone, so it is told of a run that passes as well: a stage is given a wrong number, or one
+mistake, on some of the pixels judged, and what it then writes is held against the same reach. Where a pixel leaves it,
+the run would see the error of a processor that otherwise computes as the oracle does.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from sss_ref.language.pipeline import Pass
+from sss_ref.language.types import Array, Texture, Vector, components, mat3, mat4
+from sss_ref.rendering.result import Result
+from sss_ref.scene.catalogue import method_of_scene
+from sss_ref.validation.accept.acceptance import acceptance_of
+from sss_ref.validation.accept.drawn import Buffers, Drawn, Rebased, Seen, stacked
+from sss_ref.validation.accept.rebased import Judgement, Step, walk
+from sss_ref.validation.cause.hypotheses import NEVER_WRONG
+from sss_ref.validation.cause.mutants import Mutant, mutants
+from sss_ref.validation.verdict.outcomes import distance
+
+SAMPLE = 1500  # pixels of a pass on which errors are tried
+MUTANTS = 12  # of a stage at most
+SMALLEST, HALVINGS = -9.0, 7  # decades below 1 to search, and how often they are halved
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """The least change of a number that is seen, as a share of it; None: not even its double is.
+
+    Of a number that is 0 the change itself, and None if not even 1 is seen.
+    """
+
+    name: str
+    change: float | None
+    relative: bool
+
+    def __str__(self) -> str:
+        """As part of a list."""
+        if self.change is None:
+            return f"{self.name} not even {'doubled' if self.relative else '1'}"
+        return f"{self.name} {'' if self.relative else '0 to '}{self.change:.1g}"
+
+
+@dataclass(frozen=True)
+class Power:
+    """One stage. mistakes: how many of the mutants tried change a bit. seen, unseen: which of these are."""
+
+    stage: str
+    numbers: tuple[Sensitivity, ...]
+    mistakes: int
+    seen: int
+    unseen: tuple[str, ...]
+
+    def __str__(self) -> str:
+        """As a line."""
+        return f"{self.stage}: {', '.join(map(str, self.numbers))}"
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A stage on some pixels, with what it writes and how far that may be off.
+
+    expected, reach: judged buffer -> (N, C).
+    """
+
+    step: Step
+    expected: Mapping[str, np.ndarray]
+    reach: Mapping[str, np.ndarray]
+
+    def sees(self, written: Mapping[str, Any]) -> bool:
+        """Whether any of this, buffer -> value, is out of reach."""
+        return any(self._outside(name, written[name]) for name in self.expected)
+
+    def _outside(self, name: str, value: Any) -> bool:
+        return bool((~(distance(stacked(value), self.expected[name]) <= self.reach[name])).any())
+
+    def changes(self, written: Mapping[str, Any]) -> bool:
+        """Whether this differs at all."""
+        return any(
+            not np.array_equal(np.broadcast_to(stacked(written[name]), base.shape), base, equal_nan=True)
+            for name, base in self.expected.items()
+        )
+
+
+def power(
+    oracle: Result, judged: Mapping[str, np.ndarray], how: Judgement, seen: Seen | None = None
+) -> Iterator[Power]:
+    """What would be seen of each stage whose buffers are judged.
+
+    judged: buffer -> its compared pixels, bool (H, W). seen: what rasterizers may show.
+    """
+    dumped = {name: oracle[name] for name in judged if name in oracle.buffers}
+    rendering = Rebased(oracle, oracle.buffers, how.profile, seen)
+    for one in method_of_scene(oracle.scene).passes:
+        if not one.feedback and set(one.outputs) - set(one.draw.outputs) & set(judged):
+            for trial in _trials(rendering.drawn(one), one, dumped, judged, how):
+                yield _power_of(trial)
+
+
+def _trials(
+    pass_drawn: Drawn, one: Pass, dumped: Buffers, judged: Mapping[str, np.ndarray], how: Judgement
+) -> Iterator[Trial]:
+    """Every stage of a pass that writes judged buffers, on a sample of their pixels."""
+    own = [name for name in one.outputs if name in judged and name not in one.draw.outputs]
+    pixels = np.argwhere(judged[own[0]])
+    if not len(pixels):
+        return
+    chosen = pixels[np.random.default_rng(0).integers(0, len(pixels), min(SAMPLE, len(pixels)))]
+    for step in walk(pass_drawn, (chosen[:, 0], chosen[:, 1]), dumped, how):
+        expected, reach = {}, {}
+        for name in (name for name in step.results if name in own):
+            expected[name] = stacked(step.results[name])
+            reach[name] = acceptance_of(expected[name], *step.accepted[name])[0]
+            held = how.before(name, expected[name])
+            reach[name] += np.maximum(held.high - expected[name], expected[name] - held.low)
+        if expected:
+            yield Trial(step, expected, reach)
+
+
+def _power_of(trial: Trial) -> Power:
+    """Both tries of one stage."""
+    stage = trial.step.stage
+    changing, unseen = 0, []
+    for mutant in _some(list(mutants(stage))):
+        written = _run(mutant, trial.step.inputs)
+        if written is not None and trial.changes(written):
+            changing += 1
+            if not trial.sees(written):
+                unseen.append(mutant.description)
+    return Power(stage.name, tuple(_numbers(trial)), changing, changing - len(unseen), tuple(unseen))
+
+
+def _some(all_mutants: list[Mutant]) -> list[Mutant]:
+    """A sample, the same every time."""
+    if len(all_mutants) <= MUTANTS:
+        return all_mutants
+    chosen = np.random.default_rng(0).choice(len(all_mutants), MUTANTS, replace=False)
+    return [all_mutants[index] for index in sorted(chosen.tolist())]
+
+
+def _run(mutant: Mutant, inputs: list[Any]) -> dict[str, Any] | None:
+    """What a mutant writes; None where it reads beside a texture or array."""
+    try:
+        return mutant(*inputs)
+    except (IndexError, ValueError, TypeError):
+        return None
+
+
+def _numbers(trial: Trial) -> Iterator[Sensitivity]:
+    """The least change of every uniform that holds numbers; of a vector or an array as a whole."""
+    stage = trial.step.stage
+    for position, (own, value) in enumerate(zip(stage.parameters, trial.step.inputs, strict=True)):
+        if _is_number(value) and own not in NEVER_WRONG:
+            relative = _size(value) > 0
+            sees = partial(_sees_change, trial, position, relative)
+            yield Sensitivity(stage.reads[own], _least(sees), relative)
+
+
+def _is_number(value: Any) -> bool:
+    """Whether this is a uniform of floats that somebody may have set wrong."""
+    if isinstance(value, Array):
+        return value.data.dtype.kind == "f"
+    return not isinstance(value, Texture | mat3 | mat4) and all(isinstance(p, np.float32) for p in components(value))
+
+
+def _size(value: Any) -> float:
+    parts = value.data if isinstance(value, Array) else np.array(components(value))
+    return float(np.abs(parts).max())
+
+
+def _sees_change(trial: Trial, position: int, relative: bool, change: float) -> bool:
+    """Whether an error of this size in one input would be seen."""
+    inputs = list(trial.step.inputs)
+    inputs[position] = _changed(inputs[position], change, relative)
+    stage = trial.step.stage
+    with np.errstate(all="ignore"):
+        return trial.sees(dict(zip(stage.writes.values(), stage(*inputs), strict=True)))
+
+
+def _changed(value: Any, change: float, relative: bool) -> Any:
+    """A number, or every number of a vector or array, with a relative or an absolute error."""
+
+    def put(number: Any) -> Any:
+        return (number * (1 + change) if relative else number + change).astype(np.float32)
+
+    if isinstance(value, Array):
+        return Array(put(value.data.astype(np.float64)))
+    parts = [put(np.float64(part)) for part in components(value)]
+    return type(value)(*parts) if isinstance(value, Vector) else parts[0]
+
+
+def _least(sees: Callable[[float], bool]) -> float | None:
+    """The least change that is seen, to a few per cent; None if 1 is not."""
+    if not sees(1.0):
+        return None
+    low, high = SMALLEST, 0.0
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (low, middle) if sees(10.0**middle) else (middle, high)
+    return 10.0**high

@@ -1,0 +1,54 @@
+"""Who is to blame: a stage that is wrong, or one before it whose results nobody has seen."""
+
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+
+from sss_ref.language.pipeline import CLIP_POSITION, MeshDraw, Method, Pass, ScreenDraw
+from sss_ref.validation.accept.rebased import RASTERIZER
+
+
+@dataclass(frozen=True)
+class Writer:
+    """A stage of either shader, or the rasterizer between them; place: PASS/STAGE."""
+
+    place: str
+    reads: frozenset[str]
+    writes: frozenset[str]
+
+
+def suspects(method: Method, pass_name: str, buffer: str, dumped: Collection[str]) -> tuple[str, ...]:
+    """The stages one of which is wrong if `buffer` of a pass is, as PASS/STAGE in stage order: its own is the last.
+
+    A stage is handed what was dumped, and that is right as far as it was judged. What was not dumped comes from the
+    stage that writes it, which may be wrong itself, or have been handed something wrong in the same way.
+    """
+    writers = [(one.name, writer) for one in method.passes for writer in _writers(one)]
+    last = next(k for k, (name, writer) in enumerate(writers) if name == pass_name and buffer in writer.writes)
+    found, unseen = [], frozenset({buffer})
+    for _, writer in reversed(writers[: last + 1]):
+        if unseen & writer.writes:
+            found.append(writer.place)
+            unseen = (unseen - writer.writes) | writer.reads.difference(dumped)
+    return tuple(reversed(dict.fromkeys(found)))
+
+
+def _writers(one: Pass) -> Iterator[Writer]:
+    """Whatever writes something in a pass, in order."""
+    draw = one.draw
+    if isinstance(draw, MeshDraw):
+        yield _writer(one, draw.vertex.name, draw.reads, {CLIP_POSITION, *draw.varyings})
+        yield _writer(one, RASTERIZER, {CLIP_POSITION}, draw.outputs)
+    for stage in one.stages:
+        reads = {*stage.reads.values()}
+        yield _writer(one, stage.name, reads | _covered_by(draw, reads), stage.writes.values())
+
+
+def _covered_by(draw: MeshDraw | ScreenDraw, reads: set[str]) -> set[str]:
+    """The buffer that says where a stage runs: the stencil; of a mesh, if it reads varyings, what the draw writes."""
+    if isinstance(draw, ScreenDraw):
+        return set(draw.reads)
+    return {draw.triangle or draw.coverage} if reads & set(draw.varyings) else set()
+
+
+def _writer(one: Pass, stage: str, reads: Collection[str], writes: Collection[str]) -> Writer:
+    return Writer(f"{one.name}/{stage}", frozenset(reads), frozenset(writes))

@@ -1,0 +1,151 @@
+"""What is said of each buffer: how many pixels are right, how much was let pass, and where it is wrong."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from sss_ref.results.diff import ULP_CLASSES, ulp_class
+from sss_ref.validation.accept.rebased import Check
+from sss_ref.validation.verdict.clusters import Clusters, Places
+from sss_ref.validation.verdict.outcomes import AMBIGUOUS, FAIL, UNBOUNDED, UNDEFINED, Compared, compared, distance
+from sss_ref.validation.verdict.widths import Widths, in_ulps, widths_of
+
+
+@dataclass(frozen=True)
+class WrongPixel:
+    """A pixel that is out of reach.
+
+    at: (column, row), row 0 at the bottom. got, expected: its values as text. triangles: the one that the oracle shows
+    there, and the dump's if it is another; -1 is none. ulps, widths: how far beyond the interval its worst channel
+    lies, in ULP and in widths of the interval; infinite for NaN, and widths of an exact value.
+    """
+
+    at: tuple[int, int]
+    got: str
+    expected: str
+    triangles: tuple[int, ...]
+    ulps: float
+    widths: float
+
+    def __str__(self) -> str:
+        """As part of a sentence."""
+        ids = " or ".join("no triangle" if each < 0 else f"triangle {each}" for each in self.triangles)
+        return f"at pixel {self.at[0]},{self.at[1]} ({ids}): {self.got}, expected {self.expected}"
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """One buffer.
+
+    ulps: values in each of ULP_CLASSES. first, worst: the first wrong pixel, row by row from the bottom, and the one
+    that lies farthest beyond its reach; None without any, as are the clusters. suspects: of a buffer that is wrong, the
+    stages one of which is, as PASS/STAGE in stage order: its own as the last, and those before it whose results were
+    not given.
+    """
+
+    pass_name: str
+    stage: str
+    buffer: str
+    compared: int  # pixels
+    equal: int  # pixels with the same bits
+    within: int  # pixels within reach
+    ambiguous: int  # of these, pixels where a processor may take one of several texels or sides
+    unbounded: int  # of these, pixels about which nothing can be said
+    undefined: int  # pixels computed from what is not finite; neither right nor wrong
+    ulps: tuple[int, ...]
+    widths: Widths
+    first: WrongPixel | None = None
+    worst: WrongPixel | None = None
+    clusters: Clusters | None = None
+    chained: int | None = None  # pixels within what the whole may give without any of the dump (see `chained`)
+    suspects: tuple[str, ...] = ()
+
+    @property
+    def certain(self) -> int:
+        """Pixels within reach beyond doubt."""
+        return self.within - self.ambiguous - self.unbounded
+
+    @property
+    def failing(self) -> int:
+        """Pixels out of reach."""
+        return self.compared - self.within - self.undefined
+
+    @property
+    def outcomes(self) -> tuple[int, ...]:
+        """Pixels with each of OUTCOMES."""
+        return self.certain, self.ambiguous, self.failing, self.undefined, self.unbounded
+
+    @property
+    def inherits(self) -> bool:
+        """Whether the stage is right and its buffer is wrong all the same."""
+        return self.passed and self.chained is not None and self.chained < self.compared
+
+    @property
+    def passed(self) -> bool:
+        """Whether there are pixels of which something can be said, and none of them is out of reach."""
+        return self.compared > self.undefined and not self.failing
+
+
+def judged(check: Check, places: Places) -> Verdict:
+    """The verdict on one buffer."""
+    pixels = compared(check)
+    defined, wrong = pixels.outcome != UNDEFINED, pixels.outcome == FAIL
+    verdict = Verdict(
+        check.pass_name,
+        check.stage,
+        check.buffer,
+        compared=len(wrong),
+        equal=int((~pixels.differs).sum()),
+        within=int((defined & ~wrong).sum()),
+        ambiguous=pixels.count(AMBIGUOUS),
+        unbounded=pixels.count(UNBOUNDED),
+        undefined=pixels.count(UNDEFINED),
+        ulps=_ulps_off(pixels),
+        widths=widths_of(pixels.expected[defined], pixels.reach[defined]),
+    )
+    return _with_wrong_pixels(verdict, check, pixels, places) if wrong.any() else verdict
+
+
+def _ulps_off(pixels: Compared) -> tuple[int, ...]:
+    """How many values lie in each of ULP_CLASSES."""
+    differing = ulp_class(pixels.expected[pixels.differs], pixels.got[pixels.differs])
+    counts = np.bincount(differing.reshape(-1), minlength=len(ULP_CLASSES))
+    counts[0] += pixels.got.size - differing.size
+    return tuple(counts.tolist())
+
+
+def _with_wrong_pixels(verdict: Verdict, check: Check, pixels: Compared, places: Places) -> Verdict:
+    """The verdict with its first and worst wrong pixels, and where all of them lie."""
+    wrong = np.flatnonzero(pixels.outcome == FAIL)
+    beyond = _beyond(pixels, wrong).max(axis=-1)
+    first, worst = (_wrong_pixel(check, pixels, index, places) for index in (wrong[0], wrong[beyond.argmax()]))
+    where = np.zeros(check.where.shape, bool)
+    where[check.where] = pixels.outcome == FAIL
+    clusters = places.clusters(check.pass_name, check.where, where)
+    return replace(verdict, first=first, worst=worst, clusters=clusters)
+
+
+def _wrong_pixel(check: Check, pixels: Compared, index: int, places: Places) -> WrongPixel:
+    """One of the compared pixels."""
+    row, column = np.argwhere(check.where)[index].tolist()
+    at = np.array([index])
+    beyond = _beyond(pixels, at)
+    ulps = in_ulps(beyond, pixels.expected[at], pixels.reach[at])
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+        widths = np.where(beyond > 0, beyond / (2 * pixels.reach[at]), 0.0)
+    values = _shown(pixels.got[index]), _shown(pixels.expected[index])
+    return WrongPixel(
+        (column, row), *values, places.at(check.pass_name, (column, row)), float(ulps.max()), float(widths.max())
+    )
+
+
+def _beyond(pixels: Compared, at: np.ndarray) -> np.ndarray:
+    """How far beyond their reach the channels of some pixels lie; infinitely far where they are not finite."""
+    with np.errstate(invalid="ignore"):
+        beyond = np.maximum(distance(pixels.expected[at], pixels.got[at]) - pixels.reach[at], 0.0)
+    return np.where(np.isfinite(pixels.got[at]), beyond, np.inf)
+
+
+def _shown(pixel: np.ndarray) -> str:
+    parts = [str(part) for part in np.atleast_1d(pixel)]
+    return parts[0] if len(parts) == 1 else f"({', '.join(parts)})"

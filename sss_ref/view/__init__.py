@@ -1,0 +1,1 @@
+"""Matrices, and the views of the camera and the lights."""

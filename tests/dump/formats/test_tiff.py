@@ -1,0 +1,87 @@
+import struct
+import sys
+
+import numpy as np
+import pytest
+import tifffile
+
+from sss_ref.dump.files import parts_of
+from sss_ref.errors import DumpError
+
+
+def tiff(width, height, texels, bits=32, sample_format=3, photometric=1, orientation=1):
+    """A little-endian TIFF file with one strip, tag by tag."""
+    tags = {
+        256: width,
+        257: height,
+        258: bits,
+        259: 1,  # uncompressed
+        262: photometric,
+        273: 8,  # where the strip begins
+        274: orientation,
+        277: 1,  # channels
+        278: height,
+        279: len(texels),
+        339: sample_format,
+    }
+    entries = b"".join(struct.pack("<HHII", tag, 4, 1, value) for tag, value in tags.items())
+    directory = struct.pack("<H", len(tags)) + entries + bytes(4)
+    return struct.pack("<2sHI", b"II", 42, 8 + len(texels)) + texels + directory
+
+
+def read(tmp_path, data):
+    (tmp_path / "x.tif").write_bytes(data)
+    return parts_of(tmp_path / "x.tif")
+
+
+@pytest.mark.parametrize(
+    ("kind", "sample_format", "storage"),
+    [
+        ("<f4", 3, "float32"),
+        ("<f2", 3, "float16"),
+        ("u1", 1, "unorm8"),
+        ("<u2", 1, "unorm16"),
+        ("<u4", 1, "uint32"),
+        ("<i4", 2, "int32"),
+    ],
+)
+def test_every_type(tmp_path, kind, sample_format, storage):
+    values = np.random.default_rng(1).integers(0, 100, (3, 5)).astype(kind)
+    (texels,) = read(tmp_path, tiff(5, 3, values.tobytes(), values.itemsize * 8, sample_format))
+    assert np.array_equal(texels.data[..., 0], values) and texels.data.dtype == np.dtype(kind).newbyteorder("=")
+    assert (texels.storage, texels.channels, texels.part) == (storage, ("R",), "0")
+
+
+@pytest.mark.parametrize("planar", ["contig", "separate"])
+def test_pages_and_channels_side_by_side_or_in_planes(tmp_path, planar):
+    pages = np.random.default_rng(2).random((2, 4, 6, 3), np.float32)
+    with tifffile.TiffWriter(tmp_path / "x.tif") as file:
+        for page in pages:
+            stored = page.transpose(2, 0, 1) if planar == "separate" else page
+            file.write(stored, photometric="rgb", planarconfig=planar)
+    found = parts_of(tmp_path / "x.tif")
+    assert [texels.part for texels in found] == ["0", "1"]
+    for texels, page in zip(found, pages, strict=True):
+        assert np.array_equal(texels.data, page) and texels.channels == ("R", "G", "B")
+
+
+@pytest.mark.parametrize(
+    ("data", "message"),
+    [
+        (b"", "expected a whole file of its format, got TiffFileError"),
+        (tiff(5, 3, bytes(60), photometric=0), "got axes YX, photometric 0, orientation 1"),
+        (tiff(5, 3, bytes(60), orientation=4), "got axes YX, photometric 1, orientation 4"),
+        (tiff(100000, 3, bytes(60)), "got 100000 x 3"),
+        (tiff(5, 3, bytes(120), bits=64), "got float64"),
+    ],
+)
+def test_what_is_refused(tmp_path, data, message):
+    with pytest.raises(DumpError) as caught:
+        read(tmp_path, data)
+    assert message in str(caught.value)
+
+
+def test_without_tifffile_the_message_says_how_to_get_it(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "tifffile", None)
+    with pytest.raises(DumpError, match=r"got none; pip install 'sss_ref\[validate\]'"):
+        read(tmp_path, tiff(5, 3, bytes(60)))

@@ -1,0 +1,260 @@
+import json
+import struct
+
+import numpy as np
+import pytest
+
+from sss_ref.errors import MeshError
+from sss_ref.mesh import triangles as mesh
+from sss_ref.scene import load_mesh
+
+# A unit cube of quads whose UVs split every corner by face, as most exporters write it.
+CUBE = "".join(f"v {x} {y} {z}\n" for x in (0, 1) for y in (0, 1) for z in (0, 1))
+QUADS = [(1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)]
+for number, quad in enumerate(QUADS):
+    CUBE += "".join(f"vt .{number}{x} .{y}\n" for x, y in ((0, 0), (5, 0), (5, 5), (0, 5)))
+    CUBE += "f " + " ".join(f"{v}/{4 * number + t}" for t, v in enumerate(quad, 1)) + "\n"
+
+TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+
+
+def written(folder, name, content):
+    path = folder / name
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    return path
+
+
+def glb(nodes, normal=(0, 0, 1), indices=(0, 1, 2), uv_count=3):
+    """A GLB file with one triangle, seen through the given nodes."""
+    attributes = {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 3}
+    positions = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0)
+    binary = positions + struct.pack("<9f", *normal * 3) + struct.pack("<3I", *indices)
+    vectors = {"componentType": 5126, "count": 3, "type": "VEC3"}
+    document = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": list(range(len(nodes)))}],
+        "nodes": [{"mesh": 0, "name": f"node{number}", **node} for number, node in enumerate(nodes)],
+        "materials": [{}],
+        "meshes": [{"primitives": [{"attributes": attributes, "indices": 2, "material": 0}]}],
+        "buffers": [{"byteLength": len(binary)}],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": 36 * number, "byteLength": size} for number, size in enumerate((36, 36, 12))
+        ],
+        "accessors": [
+            {"bufferView": 0, **vectors, "min": [0, 0, 0], "max": [1, 1, 0]},
+            {"bufferView": 1, **vectors},
+            {"bufferView": 2, "componentType": 5125, "count": 3, "type": "SCALAR"},
+            {"bufferView": 0, "componentType": 5126, "count": uv_count, "type": "VEC2"},
+        ],
+    }
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\0") + binary
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+def ply(properties, rows, face_properties="", faces=("3 0 1 2",)):
+    header = ["ply", "format ascii 1.0", f"element vertex {len(rows)}", *(f"property float {p}" for p in properties)]
+    header += [f"element face {len(faces)}", "property list uchar int vertex_indices"]
+    return "\n".join([*header, *filter(None, [face_properties]), "end_header", *rows, *faces]) + "\n"
+
+
+def test_cube_with_split_uvs(tmp_path):
+    cube = load_mesh(written(tmp_path, "cube.obj", CUBE))
+    assert (cube.positions.shape, cube.triangles.shape, cube.uvs.shape) == ((24, 3), (12, 3), (24, 2))
+    assert (cube.normals_source, cube.notes, cube.name) == ("computed", (), "cube.obj")
+    assert (cube.positions.dtype, cube.triangles.dtype, cube.uvs.dtype) == (np.float32, np.int32, np.float32)
+    # A corner's normal is the sum over all triangles at its position, whatever the UVs: each axis counts 1 or 2.
+    for position, normal in zip(cube.positions, cube.normals, strict=True):
+        around = cube.positions[cube.triangles[(cube.positions[cube.triangles] == position).all(axis=2).any(axis=1)]]
+        count = [(around == position)[..., axis].all(axis=1).sum() for axis in range(3)]
+        assert sum(count) == len(around) and set(count) <= {1, 2}
+        outward = np.array(count) * (position.astype(float) * 2 - 1)
+        assert np.array_equal(normal, (outward / np.sqrt(outward @ outward)).astype(np.float32))
+
+
+def test_obj_keeps_its_normals_and_rounds_positions_once(tmp_path):
+    text = "v 0.1 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 2\nf 1//1 2//1 3//1\n"
+    loaded = load_mesh(written(tmp_path, "a.obj", text))
+    assert loaded.normals_source == "file" and loaded.uvs is None
+    assert np.array_equal(loaded.normals, [[0, 0, 2]] * 3)
+    assert loaded.positions[0, 0] == np.float32(0.1)
+
+
+def test_glb_parts_are_moved_and_joined_in_graph_order(tmp_path):
+    nodes = [{"scale": [2, 1, 4]}, {"translation": [0, 0, 5]}, {"scale": [-1, 1, 1]}]
+    loaded = load_mesh(written(tmp_path, "a.glb", glb(nodes, normal=(1, 0, 1))))
+    corners = loaded.positions[loaded.triangles]
+    by_size = {tuple(c.max(axis=0) - c.min(axis=0)) + tuple(c.min(axis=0)): i for i, c in enumerate(corners)}
+    stretched, moved, mirrored = by_size[2, 1, 0, 0, 0, 0], by_size[1, 1, 0, 0, 0, 5], by_size[1, 1, 0, -1, 0, 0]
+    normals = loaded.normals[loaded.triangles][:, 0]
+    assert np.array_equal(normals[stretched], [0.5, 0, 0.25])
+    assert np.array_equal(normals[moved], [1, 0, 1])
+    assert np.array_equal(normals[mirrored], [-1, 0, 1])
+    a, b, c = corners[mirrored]
+    assert np.cross(b - a, c - a)[2] > 0  # counter-clockwise again
+
+
+def test_glb_with_zero_normals_computes_them_and_says_so(tmp_path):
+    loaded = load_mesh(written(tmp_path, "a.glb", glb([{}], normal=(0, 0, 0))))
+    assert loaded.normals_source == "computed" and np.array_equal(loaded.normals, [[0, 0, 1]] * 3)
+    assert loaded.notes == ("normals computed: 3 of the file's 3 are zero or not finite",)
+
+
+def test_ply_normals_stay_with_their_vertices(tmp_path):
+    """A vertex that no triangle uses would make trimesh renumber the vertices by their UVs, and drop the normals."""
+    rows = ["9 9 9 0 0 1 0 0", "0 0 0 0 0 1 .9 .9", "1 0 0 0 1 0 .5 .5", "0 1 0 1 0 0 .1 .1"]
+    text = ply(["x", "y", "z", "nx", "ny", "nz", "s", "t"], rows, faces=["3 1 2 3"])
+    loaded = load_mesh(written(tmp_path, "a.ply", text))
+    assert loaded.normals_source == "file"
+    assert np.array_equal(loaded.normals[loaded.triangles[0]], [[0, 0, 1], [0, 1, 0], [1, 0, 0]])
+    assert np.array_equal(loaded.uvs[loaded.triangles[0], 0], np.array([0.9, 0.5, 0.1], np.float32))
+
+
+def test_ply_with_uvs_per_triangle_computes_its_normals(tmp_path):
+    """One vertex that no triangle uses and one that is split: as many normals as vertices, but not theirs."""
+    rows = ["9 9 9 1 0 0", "0 0 0 1 0 0", "1 0 0 1 0 0", "0 1 0 1 0 0", "1 1 0 1 0 0"]
+    text = ply(
+        ["x", "y", "z", "nx", "ny", "nz"],
+        rows,
+        "property list uchar float texcoord",
+        ["3 1 2 3 6 .9 .9 .5 .5 .1 .1", "3 2 4 3 6 .5 .5 .3 .3 .4 .4"],
+    )
+    loaded = load_mesh(written(tmp_path, "a.ply", text))
+    assert loaded.normals_source == "computed" and len(loaded.positions) == len(rows)
+    assert np.array_equal(loaded.normals, [[0, 0, 1]] * 5)
+    assert np.array_equal(loaded.uvs[loaded.triangles[0], 0], np.array([0.9, 0.5, 0.1], np.float32))
+    assert loaded.notes == ("normals computed: the file's UVs are stored by triangle",)
+
+
+def test_uvs_or_normals_that_trimesh_drops_are_noted(tmp_path):
+    uvs = load_mesh(written(tmp_path, "a.obj", TRIANGLE + "vt 0 0\nf 1/1 2/9 3/1\n"))
+    normals = load_mesh(written(tmp_path, "b.obj", TRIANGLE + "vn 0 0 1\nf 1//1 2//9 3//1\n"))
+    assert uvs.notes == ("UVs not used: the file does not give them for every corner",)
+    assert normals.notes == ("normals computed: the file does not give them for every corner",)
+
+
+def test_hashes_tell_arrays_apart(tmp_path):
+    cube = load_mesh(written(tmp_path, "cube.obj", CUBE))
+    again = load_mesh(written(tmp_path, "other.obj", CUBE))
+    moved = load_mesh(written(tmp_path, "moved.obj", CUBE.replace("v 1 1 1", "v 1 1 2")))
+    assert list(cube.hashes()) == ["positions", "normals", "uvs", "triangles", "material"]
+    assert cube.hashes() == again.hashes()
+    assert cube.hashes()["positions"] != moved.hashes()["positions"]
+    assert cube.hashes()["triangles"] == moved.hashes()["triangles"]
+
+
+EXPORT = "export the mesh again"
+NO_TRIANGLE = "expected at least one triangle, got none; export the mesh as triangles or polygons"
+BROKEN = {
+    ("a.txt", "x"): "expected one of .obj, .ply, .stl, .off, .glb, .gltf, got .txt; convert the mesh",
+    ("a.obj", TRIANGLE): NO_TRIANGLE,
+    ("b.obj", ""): NO_TRIANGLE,
+    ("a.stl", b"\0\1garbage"): NO_TRIANGLE,
+    ("a.gltf", "{}"): NO_TRIANGLE,
+    (
+        "a.ply",
+        "garbage",
+    ): f"expected a valid ply file, got one that cannot be read (ValueError: Not a ply file!); {EXPORT}",
+    (
+        "c.obj",
+        TRIANGLE + "f 1 2 9\n",
+    ): "expected a valid obj file, "
+    "got one that cannot be read (IndexError: index 8 is out of bounds for axis 0 with size 3); " + EXPORT,
+    ("d.obj", TRIANGLE + "f 1 2 3\nf 0 1 2\n"): "expected faces of at least three vertices, numbered from 1, "
+    f'got "f 0 1 2"; {EXPORT}',
+    ("e.obj", TRIANGLE + "f 1 2 3\nf 1// 2//\n"): "expected faces of at least three vertices, numbered from 1, "
+    f'got "f 1// 2//"; {EXPORT}',
+    ("f.obj", "v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n"): f"expected positions of 3 numbers, got shape (3, 2); {EXPORT}",
+    ("g.obj", "v 0 0 0\nv 1 0 nan\nv 0 1 1e39\nf 1 2 3\n"): "expected positions that are finite in float32, "
+    "got [1.0, 0.0, nan] at vertex 1 (2 in all); correct them",
+    ("h.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n"): "expected a mesh of some size, "
+    "got all vertices at one point; correct them",
+    ("i.obj", TRIANGLE + "vt 0 0\nvt 0 inf\nf 1/1 2/2 3/1\n"): "expected UVs that are finite in float32, "
+    "got [0.0, inf] at vertex 1 (1 in all); correct them",
+    ("a.glb", glb([{}], indices=(0, 1, 7))): "expected vertex indices from 0 to 2, "
+    f"got [0, 1, 7] in triangle 0 (1 in all); {EXPORT}",
+    ("c.glb", glb([{}], uv_count=2)): f"expected one UV per vertex, got another number; {EXPORT}",
+    ("b.glb", glb([{"scale": [1, 0, 1]}])): "expected transforms that can be inverted, "
+    "got one that cannot; apply them before exporting",
+}
+
+
+@pytest.mark.parametrize("file, message", BROKEN.items(), ids=[name for name, _ in BROKEN])
+def test_broken_file(tmp_path, file, message):
+    path = written(tmp_path, *file)
+    with pytest.raises(MeshError) as error:
+        load_mesh(path)
+    assert str(error.value) == f"{path}: {message}"
+
+
+def test_missing_file(tmp_path):
+    with pytest.raises(MeshError) as error:
+        load_mesh(tmp_path / "a.obj")
+    assert str(error.value) == (
+        f"{tmp_path / 'a.obj'}: expected a readable file, got No such file or directory; check the path"
+    )
+
+
+def test_file_beyond_the_limit(tmp_path, monkeypatch):
+    monkeypatch.setattr(mesh, "BYTE_LIMIT", 10)
+    path = written(tmp_path, "a.obj", CUBE)
+    with pytest.raises(MeshError) as error:
+        load_mesh(path)
+    assert str(error.value) == f"{path}: expected at most 10 bytes, got {path.stat().st_size}; simplify the mesh"
+
+
+@pytest.mark.parametrize(
+    "path, vertices, triangles, source, low, high",
+    [
+        ("head_lps/leeperrysmith.obj", 9223, 17672, "file", (-4.281, -3.977, -2.593), (4.281, 3.977, 2.593)),
+        ("head_lps/leeperrysmith_283k.glb", 142918, 282752, "file", (-4.281, -3.977, -2.593), (4.281, 3.977, 2.593)),
+        ("spot/spot_triangulated.obj", 3225, 5856, "computed", (-0.472, -0.737, -0.669), (0.472, 0.954, 1.049)),
+        ("spot/cow.glb", 3225, 5856, "computed", (-0.472, -0.737, -0.669), (0.472, 0.954, 1.049)),
+        ("bunny/bunny_hr.obj", 29834, 59664, "computed", (-0.77, -0.768, -0.597), (0.78, 0.77, 0.601)),
+    ],
+)
+def test_asset(asset, path, vertices, triangles, source, low, high):
+    loaded = load_mesh(asset(path))
+    assert (len(loaded.positions), len(loaded.triangles), loaded.normals_source) == (vertices, triangles, source)
+    assert np.array_equal(loaded.positions.min(axis=0).round(3), np.array(low, np.float32))
+    assert np.array_equal(loaded.positions.max(axis=0).round(3), np.array(high, np.float32))
+    assert loaded.notes == () and loaded.normals.any(axis=1).all()
+
+
+MALFORMED = {
+    "BoxBadNormals.glb": 12,
+    "box_without_lineending.obj": 12,
+    "concave_polygon.obj": 64,
+    "cube_compressed.obj": 12,
+    "cubevt.obj": 12,
+    "joined_tetrahedra.obj": 8,
+    "mirror.ply": 286,
+    "nancolor.obj": 12,
+    "negative_indices.obj": 12,
+    "number_formats.obj": 1,
+    "obj_with_no_face_in_chunk.obj": 1,
+    "polygonfaces.obj": 3,
+    "singlevn.obj": 2,
+    "whitespace.off": 12,
+    "empty.obj": None,
+    "empty.ply": None,
+    "empty_nodes.glb": None,
+    "face_in_group_name.obj": None,
+    "issue623.ply": None,
+    "points_emptyface.ply": None,
+    "malformed.obj": None,
+    "notenoughindices.obj": None,
+    "IndexOutOfRange/IndexOutOfRange.gltf": None,
+}
+
+
+@pytest.mark.parametrize("name, triangles", MALFORMED.items())
+def test_malformed_asset(asset, name, triangles):
+    path = asset(f"malformed/{name}")
+    if triangles is None:
+        with pytest.raises(MeshError, match=r": expected .*, got .*; "):
+            load_mesh(path)
+    else:
+        assert len(load_mesh(path).triangles) == triangles

@@ -1,0 +1,91 @@
+import imageio.v3 as imageio
+import numpy as np
+import pytest
+
+from sss_ref.errors import DumpError
+from sss_ref.results import diff_picture
+from sss_ref.results.diff_picture import (
+    CLASS_COLOURS,
+    Layout,
+    checked_picture_file,
+    thinned_to_worst,
+    versions,
+    worst_class,
+    write_diff_picture,
+)
+
+
+@pytest.mark.parametrize(
+    "size, panel", [((32, 48), (480, 320)), ((100, 300), (600, 200)), ((1024, 600), (600, 1024)), ((2050, 3), (1, 684))]
+)
+def test_panels_are_of_a_size_to_look_at(size, panel):
+    assert Layout(*size).panel == panel
+
+
+def test_places_are_inside_the_repeated_pixel():
+    layout = Layout(32, 48)
+    assert layout.repeat == 10
+    assert layout.place(0, 0) == (5, 315) and layout.place(47, 31) == (475, 5)
+
+
+def test_no_difference_is_lost_by_thinning():
+    classes = np.zeros((7, 10), int)
+    classes[6, 9], classes[2, 5], classes[1, 5] = 2, 5, 3
+    expected = [[0, 5, 0, 0], [0, 0, 0, 0], [0, 0, 0, 2]]
+    assert thinned_to_worst(classes, 3).tolist() == expected
+
+
+def test_the_worst_channel_counts():
+    a = np.ones((1, 2, 3), np.float32)
+    b = a.copy()
+    b[0, 1] = [1, np.nextafter(np.float32(1), np.float32(2)), -1]
+    assert worst_class(a, b).tolist() == [[0, 6]]
+
+
+def test_versions_share_one_range_of_values():
+    low, high = np.float32([[0, 1]]), np.float32([[1, 4]])
+    a, b = versions("depth", (low, high), (np.ones((1, 2), bool),) * 2, 1)
+    assert a[0, 1].tolist() == b[0, 0].tolist() and a[0, 0].tolist() != b[0, 0].tolist()
+
+
+def test_values_that_are_no_numbers_are_left_out():
+    strange, plain = np.float32([[np.nan, np.inf, 1]]), np.float32([[0, 0, 3]])
+    a, _ = versions("depth", (strange, plain), (np.ones((1, 3), bool),) * 2, 1)
+    assert a[0, 0].tolist() == a[0, 1].tolist() == list(diff_picture.tiles.GROUND)
+
+
+def test_picture(saved, tmp_path):
+    other = tmp_path / "other"
+    other.mkdir()
+    depth = np.load(saved / "buffers" / "depth.npy")
+    depth[3, 40] += 1
+    np.save(other / "depth.npy", depth)
+    write_diff_picture(tmp_path / "x.png", "depth", saved, other)
+    picture, layout = imageio.imread(tmp_path / "x.png"), Layout(32, 48)
+    assert picture.shape == (layout.size[1], layout.size[0], 3)
+    (left, top), (width, height) = layout.corners[2], layout.panel
+    shown = picture[top : top + height, left : left + width][5::10, 5::10][::-1]  # the middle of every pixel
+    expected = CLASS_COLOURS[np.where(depth == np.load(saved / "buffers" / "depth.npy"), 0, 5)]
+    ring = np.hypot(*(np.indices((32, 48)) - np.array([3, 40])[:, None, None]))
+    assert np.array_equal(shown[(ring < 1) | (ring > 2)], expected[(ring < 1) | (ring > 2)])
+    assert (expected == CLASS_COLOURS[5]).all(axis=-1).sum() == 1
+    for left, top in layout.corners:
+        x, y = layout.place(40, 3)
+        assert picture[top + y - diff_picture.RING, left + x].tolist() == list(diff_picture.BRIGHT)
+
+
+def test_the_background_does_not_use_up_the_range(saved, tmp_path):
+    files = diff_picture.buffer_files(saved)
+    drawn = diff_picture._drawn("depth", files, np.load(files["depth"]))
+    assert np.array_equal(drawn, np.load(files["coverage"]) != 0)
+    assert diff_picture._drawn("image", files, np.load(files["image"])).all()
+    light = diff_picture._drawn("light_distance", files, np.load(files["light_distance"]))
+    assert np.array_equal(light, np.load(files["light_triangle"]) >= 0) and not light.all()
+
+
+def test_where_a_picture_cannot_be(tmp_path):
+    with pytest.raises(DumpError, match=r"x\.jpg: expected a file name ending in \.png, got \.jpg; change it"):
+        checked_picture_file(tmp_path / "x.jpg")
+    with pytest.raises(DumpError, match=r"expected an existing folder, got .*nowhere; create it first"):
+        checked_picture_file(tmp_path / "nowhere" / "x.png")
+    assert checked_picture_file(tmp_path / "x.PNG") == tmp_path / "x.PNG"

@@ -1,0 +1,3 @@
+"""The fixtures of these tests."""
+
+from data_folder import data_folder, small  # noqa: F401

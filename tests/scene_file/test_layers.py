@@ -1,0 +1,55 @@
+from sss_ref.scene_file.layers import filled, is_overridden, laid, overridden, override_paths
+
+
+def test_upper_layer_wins_key_by_key():
+    assert laid({"a": {"x": 1, "y": 2}, "b": 3}, {"a": {"y": 4}}) == {"a": {"x": 1, "y": 4}, "b": 3}
+    assert laid({"a": [1, 2]}, {"a": [3]}) == {"a": [3]}
+
+
+def test_another_type_replaces_the_table():
+    orbit = {"type": "orbit", "distance": 5, "width": 64}
+    assert laid(orbit, {"type": "free", "position": [0, 0, 0]}) == {"type": "free", "position": [0, 0, 0]}
+    assert laid(orbit, {"type": "orbit", "distance": 6}) == {"type": "orbit", "distance": 6, "width": 64}
+    assert laid(orbit, {"distance": 6})["type"] == "orbit"
+
+
+def test_file_goes_on_its_preset():
+    data = filled({"preset": "robust", "blur": {"mask": "none"}})
+    assert data["blur"] == {"kernel": "hbh09", "mask": "none", "pixel_scale": 2.0}
+    assert filled({})["translucency"]["y"] == -1.0
+    assert filled({"preset": 7})["translucency"]["y"] == -1.0  # validation will refuse it
+
+
+def test_what_a_preset_has_of_lights_lies_below_every_light():
+    lights = filled({"preset": "published", "lights": [{"fov_y": 30}, {}, 7]})["lights"]
+    assert [light["fov_y"] for light in lights[:2]] == [30, 90.0]
+    assert lights[2] == 7  # validation will refuse it
+    assert "lights" not in filled({"preset": "published"})
+    assert filled({"preset": "published", "lights": "one"})["lights"] == "one"
+
+
+def test_overrides_by_dotted_key_and_as_tables():
+    data = {"camera": {"width": 1, "height": 2}, "lights": [{"intensity": 1.0}]}
+    result, problems = overridden(data, {"camera.width": 8, "camera": {"far": 9}, "lights.0.intensity": 2.0, "a.b": 1})
+    assert result == {
+        "camera": {"width": 8, "height": 2, "far": 9},
+        "lights": [{"intensity": 2.0}],
+        "a": {"b": 1},
+    }
+    assert problems == []
+    assert data == {"camera": {"width": 1, "height": 2}, "lights": [{"intensity": 1.0}]}
+
+
+def test_override_beyond_the_list():
+    _, problems = overridden({"lights": [{}]}, {"lights.1.intensity": 2.0, "lights.first": 1})
+    assert problems == [
+        "lights.1.intensity: expected an index below 1, got 1; correct it",
+        "lights.first: expected an index below 1, got first; correct it",
+    ]
+
+
+def test_which_values_are_overridden():
+    paths = override_paths({"camera.width": 8, "phong": {"ambient": 1}, "lights.0.position": [0, 0, 0]})
+    assert paths == {("camera", "width"), ("phong", "ambient"), ("lights", 0, "position")}
+    assert is_overridden(("lights", 0, "position", 2), paths)
+    assert not is_overridden(("camera", "height"), paths)

@@ -1,0 +1,189 @@
+import numpy as np
+import pytest
+from pydantic import ValidationError
+
+from sss_ref.scene_file.kernels import HBH09, KERNELS, SCHOENBERGER, TABLE1, channel_sums, normalized
+from sss_ref.scene_file.layers import filled
+from sss_ref.scene_file.settings import Blur, MeshSettings, SceneFile, Translucency
+
+COMMON = {
+    "method": "screen_space",
+    "mm_per_unit": 1.0,
+    "mesh": {
+        "path": "tetrahedron",
+        "scale": (1.0, 1.0, 1.0),
+        "rotate_degrees": (0.0, 0.0, 0.0),
+        "translate": (0.0, 0.0, 0.0),
+        "color": (0.7, 0.4, 0.4),
+        "texture": None,
+        "unwrap": False,
+    },
+    "camera": {
+        "type": "orbit",
+        "target": (0.0, 0.0, 0.0),
+        "azimuth": 0.0,
+        "elevation": 0.0,
+        "distance": 5.0,
+        "fov_y": 45.0,
+        "near": 0.1,
+        "far": 100.0,
+        "width": 1024,
+        "height": 1024,
+    },
+    "lights": (
+        {
+            "position": (0.0, 0.0, 9.0),
+            "target": None,
+            "up": (0.0, 1.0, 0.0),
+            "color": (1.0, 1.0, 1.0),
+            "intensity": 1.0,
+            "fov_y": None,
+            "near": None,
+            "far": None,
+            "falloff": "none",
+        },
+    ),
+    "shadow_map": {
+        "width": 2048,
+        "height": 2048,
+        "filter": "nearest",
+        "lookup_inset": 1.0,
+        "test": "slope",
+        "bias_abs": 0.0,
+        "bias_slope": 1.5,
+        "encoding": "float32",
+        "lookup_stage": "fragment",
+    },
+    "phong": {"ambient": 0.1, "diffuse": 1.0, "specular": 0.5, "shininess": 32.0},
+    "output": {"background": (0.0, 0.0, 0.0)},
+}
+
+BY_PRESET = {
+    "paper": {
+        "translucency": {
+            "form": "ratio",
+            "combine": "multiply",
+            "x": 2.0,
+            "y": -1.0,
+            "exponent": 0.6,
+            "scale": 1.0,
+            "d_min": 0.1,
+        },
+        "blur": {"kernel": "table1", "mask": "output", "pixel_scale": 1.0, "normalize": False},
+        "irradiance_map": {
+            "width": 1024,
+            "height": 1024,
+            "mode": "paper",
+            "image": "sqrt",
+            "overlap": "first",
+            "dilate": 4,
+        },
+    },
+    "robust": {
+        "translucency": {
+            "form": "ratio",
+            "combine": "transmit",
+            "x": 2.0,
+            "y": 0.5,
+            "exponent": 0.6,
+            "scale": 0.2,
+            "d_min": 0.1,
+        },
+        "blur": {"kernel": "hbh09", "mask": "taps", "pixel_scale": 2.0, "normalize": False},
+        "irradiance_map": {
+            "width": 1024,
+            "height": 1024,
+            "mode": "lambert",
+            "image": "product",
+            "overlap": "first",
+            "dilate": 8,
+        },
+    },
+    "published": {
+        "camera": {**COMMON["camera"], "near": 0.001, "far": 1000.0, "width": 1600, "height": 900},
+        "lights": ({**COMMON["lights"][0], "target": (0.0, 0.0, 0.0), "fov_y": 90.0, "near": 0.001, "far": 1000.0},),
+        "shadow_map": {
+            "width": 1600,
+            "height": 900,
+            "filter": "bilinear",
+            "lookup_inset": 0.99,
+            "test": "exact",
+            "bias_abs": 0.0,
+            "bias_slope": 1.5,
+            "encoding": "unorm8",
+            "lookup_stage": "vertex",
+        },
+        "translucency": {
+            "form": "exponent",
+            "combine": "add",
+            "x": 0.5,
+            "y": 1.0,
+            "exponent": 0.6,
+            "scale": 1.0,
+            "d_min": 0.0,
+        },
+        "blur": {"kernel": "schoenberger", "mask": "none", "pixel_scale": 1.0, "normalize": False},
+        "irradiance_map": {
+            "width": 1600,
+            "height": 900,
+            "mode": "distance",
+            "image": "sqrt_add",
+            "overlap": "first",
+            "dilate": 0,
+        },
+    },
+}
+
+
+@pytest.mark.parametrize("preset", BY_PRESET)
+def test_every_key_of_a_preset(small, preset):
+    resolved = SceneFile.model_validate(filled({**small, "preset": preset}))
+    assert resolved.model_dump() == {**COMMON, "preset": preset, **BY_PRESET[preset]}
+
+
+def test_whole_numbers_become_float(small):
+    resolved = SceneFile.model_validate(filled({**small, "mm_per_unit": 2}))
+    assert type(resolved.mm_per_unit) is float and type(resolved.mesh.scale[0]) is float
+    assert MeshSettings(path="x", scale=3).scale == (3.0, 3.0, 3.0)
+    assert MeshSettings(path="x", scale=np.float64(0.5)).scale == (0.5, 0.5, 0.5)
+
+
+def test_every_parameter_is_explained():
+    from sss_ref.scene_file.reading import TABLES
+
+    for table in list(TABLES.values())[1:]:
+        unexplained = [name for name, field in table.model_fields.items() if not field.description]
+        assert set(unexplained) <= {"type"}
+
+
+def test_parameters_survive_rounding_to_float32():
+    with pytest.raises(ValidationError):
+        Translucency(form="beer", combine="add", x=1e-46, y=1, scale=1, d_min=1)
+    with pytest.raises(ValidationError):
+        Translucency(form="beer", combine="add", x=1, y=2.0**128 - 2.0**103, scale=1, d_min=1)
+    y = float.fromhex("0x1.fffffefffffffp127")  # the largest number that still rounds to the largest float32
+    assert Translucency(form="beer", combine="add", x=1e-45, y=y, scale=1, d_min=1).y == y
+
+
+def test_kernels_sum_to_what_their_authors_printed():
+    assert [round(s, 4) for s in channel_sums(TABLE1)] == [0.9977, 1.0494, 0.9996]
+    assert [round(s, 6) for s in channel_sums(HBH09)] == [0.998440, 1.000001, 0.999999]
+    assert [round(sum(column), 6) for column in zip(*HBH09, strict=True)][:2] == [1.400346, -2.959784]
+    assert SCHOENBERGER[0] == (0.0, 0.0, 0.220441, 0.487, 0.635) and SCHOENBERGER[1:] == HBH09[1:]
+    assert all(len(taps) == 13 for taps in KERNELS.values())
+    # The paper's table is the original cut off, not rounded, at four decimals, but for its green centre.
+    cut = [tuple(int(x * 1e4 + (1e-6 if x > 0 else -1e-6)) / 1e4 for x in row) for row in HBH09]
+    assert [row for row, printed in zip(cut, TABLE1, strict=True) if row != printed] == [
+        (0.0, 0.0, 0.2204, 0.437, 0.635)
+    ]
+
+
+def test_taps_of_a_blur():
+    own = [[0, 0, 1, 2, 4], [1, 0, 3, 2, 4]]
+    blur = Blur(kernel=own, pixel_scale=1, mask="none")
+    assert blur.taps == ((0, 0, 1, 2, 4), (1, 0, 3, 2, 4))
+    assert Blur(kernel=own, pixel_scale=1, mask="none", normalize=True).taps == (
+        (0, 0, 0.25, 0.5, 0.5),
+        (1, 0, 0.75, 0.5, 0.5),
+    )
+    assert Blur(kernel="hbh09", pixel_scale=1, mask="none", normalize=True).taps == normalized(HBH09)

@@ -1,0 +1,43 @@
+"""Renders one scene in a process of its own and prints the hashes as JSON; the tests of bits and of the cache run it.
+
+Arguments: the scene as JSON, threads (0: the default), and the names of the buffers to keep ("all").
+"""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+
+def hashes_elsewhere(scene, cache, threads=0, keep="all", package=Path(__file__).parents[2], **environment):
+    """Buffer -> hash as a new process with its own cache folder, settings and copy of the package computes them."""
+    own = {"SSS_REF_CACHE_DIR": str(cache), "PYTHONPATH": str(package), "PYTHONDONTWRITEBYTECODE": "1"}
+    done = subprocess.run(
+        [sys.executable, __file__, json.dumps(scene), str(threads), json.dumps(keep)],
+        env=os.environ | own | environment,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    printed = json.loads(done.stdout)
+    assert Path(printed.pop("package")) == Path(package) / "sss_ref"
+    return printed
+
+
+def machine_code(cache):
+    """The files that numba has written below a cache folder -> when."""
+    return {path: path.stat().st_mtime_ns for path in Path(cache).rglob("*.nb[ic]")}
+
+
+def main():
+    import sss_ref
+
+    scene, threads, keep = sys.argv[1:]
+    result = sss_ref.render(sss_ref.load_scene(json.loads(scene)), threads=int(threads) or None, keep=json.loads(keep))
+    print(json.dumps({"package": str(Path(sss_ref.__file__).parent), **result.hashes}))
+
+
+if __name__ == "__main__":
+    main()

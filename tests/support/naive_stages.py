@@ -1,0 +1,373 @@
+"""Every stage as the rules state it, for one fragment: the values its buffers get, in order.
+
+Imports nothing of the package; numbers are as in naive_language. A stage of the package has its namesake here, with
+the same parameters.
+"""
+
+import gmpy2
+import numpy as np
+from naive_language import (
+    F,
+    added,
+    between_centres,
+    bilinear,
+    correctly_rounded,
+    dot,
+    four_texels,
+    length,
+    maximum,
+    minimum,
+    minus,
+    nearest,
+    negative,
+    normalize,
+    power,
+    reflect,
+    scaled,
+    split,
+    times,
+    transform,
+)
+
+# The mesh, and the surface that the camera sees
+
+
+def mesh_vertex(position, normal, uv, world_from_model, normal_from_model, clip_from_model):
+    model = [*position, F(1)]
+    return (
+        transform(clip_from_model, model),
+        transform(world_from_model, model)[:3],
+        transform(normal_from_model, normal),
+        uv,
+    )
+
+
+def layout_vertex(position, normal, uv, world_from_model, normal_from_model):
+    flat = [v * F(2) - F(1) for v in uv]
+    world = transform(world_from_model, [*position, F(1)])[:3]
+    return [*flat, F(0), F(1)], world, transform(normal_from_model, normal), uv
+
+
+def surface(fragment_position, fragment_normal, fragment_uv):
+    return fragment_position, normalize(fragment_normal), fragment_uv
+
+
+def albedo_constant(mesh_color):
+    return (mesh_color,)
+
+
+def albedo_textured(uv, albedo_map):
+    corner, t = between_centres(albedo_map, [v - np.floor(v) for v in uv])
+    framed = np.pad(albedo_map, ((1, 1), (1, 1), (0, 0)), mode="wrap")  # what repeats stands around the picture
+    return (bilinear(framed, [k + 1 for k in corner], t),)
+
+
+def albedo_by_material(triangle, triangle_material, material_color):
+    return (material_color[triangle_material[triangle]],)
+
+
+# Shadow map
+
+
+def distance_to_light(fragment_position, light_position):
+    return (length(minus(fragment_position, light_position)),)
+
+
+def uv_at_light(fragment_uv):
+    return (fragment_uv,)
+
+
+def _shadow_uv(position, clip_from_world, lookup_inset):
+    """Where a position falls on the shadow map, or None behind the light or outside its map."""
+    x, y, _, w = transform(clip_from_world, [*position, F(1)])
+    if w <= 0:
+        return None
+    uv = [((v / w) * lookup_inset + F(1)) * F(0.5) for v in (x, y)]
+    return uv if all(0 <= v <= 1 for v in uv) else None
+
+
+def shadow_lookup_nearest(
+    position_world, light_position, light_clip_from_world, lookup_inset, light_distance, light_triangle
+):
+    own_distance = length(minus(position_world, light_position))
+    uv = _shadow_uv(position_world, light_clip_from_world, lookup_inset)
+    if uv is None:
+        return [F(-1), F(-1)], False, own_distance
+    if nearest(light_triangle, uv)[0] < 0:
+        return uv, False, own_distance
+    return uv, True, nearest(light_distance, uv)[0]
+
+
+def shadow_lookup_bilinear(
+    position_world, light_position, light_clip_from_world, lookup_inset, light_distance, light_triangle
+):
+    uv, valid, stored = shadow_lookup_nearest(
+        position_world, light_position, light_clip_from_world, lookup_inset, light_distance, light_triangle
+    )
+    if valid:
+        corner, t = between_centres(light_distance, uv)
+        if all(triangle[0] >= 0 for triangle in four_texels(light_triangle, corner)):
+            stored = bilinear(light_distance, corner, t)[0]
+    return uv, valid, stored
+
+
+def back_point(position_world, light_position, stored_distance, shadow_valid):
+    if not shadow_valid:
+        return position_world, F(0)
+    direction = normalize(minus(position_world, light_position))
+    entry_point = added(light_position, scaled(direction, stored_distance))
+    return entry_point, length(minus(position_world, entry_point))
+
+
+def directly_lit_slope(
+    position_world,
+    normal_world,
+    light_position,
+    light_clip_from_world,
+    light_texel_size,
+    stored_distance,
+    bias_abs,
+    bias_slope,
+):
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    c = minimum(maximum(abs(facing), F(0.05)), F(1))
+    w = transform(light_clip_from_world, [*position_world, F(1)])[3]
+    texel = (w if F(0) < w else F(0)) * light_texel_size
+    bias = bias_abs + bias_slope * (texel * (F(1) + np.sqrt(F(1) - c * c) / c))
+    return (facing > 0 and length(minus(position_world, light_position)) - stored_distance <= bias,)
+
+
+def directly_lit_literal(position_world, light_position, stored_distance, bias_abs):
+    return (length(minus(position_world, light_position)) - stored_distance <= bias_abs,)
+
+
+# Phong
+
+
+def light_constant(light_color, light_intensity):
+    return (scaled(light_color, light_intensity),)
+
+
+def light_inverse_square(position_world, light_position, light_color, light_intensity):
+    distance = length(minus(position_world, light_position))
+    falloff = F(1) / maximum(distance * distance, F(1e-8))
+    return (scaled(light_color, light_intensity * falloff),)
+
+
+def _highlight(position, normal, light_position, camera_position, shininess):
+    to_light = normalize(minus(light_position, position))
+    to_eye = normalize(minus(camera_position, position))
+    mirrored = dot(to_eye, reflect(negative(to_light), normal))
+    return F(0) if dot(normal, to_light) <= 0 or mirrored <= 0 else power(mirrored, shininess)
+
+
+def phong_shading(
+    position_world,
+    normal_world,
+    albedo,
+    light_position,
+    camera_position,
+    incident_light,
+    ambient,
+    diffuse,
+    specular,
+    shininess,
+    light_count,
+):
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    s = _highlight(position_world, normal_world, light_position, camera_position, shininess)
+    lambert = scaled(incident_light, diffuse * maximum(facing, F(0)))
+    reflected = added([ambient / light_count + v for v in lambert], scaled(incident_light, specular * s))
+    return (times(reflected, albedo),)
+
+
+# Translucency
+
+
+def _translucency(term, directly_lit, shadow_valid, neutral):
+    return (neutral if directly_lit or not shadow_valid else minimum(term, F(65504)),)
+
+
+def translucency_ratio(thickness, directly_lit, shadow_valid, x, y, exponent, d_min, translucency_neutral):
+    term = power(x, y) / power(maximum(thickness, d_min), exponent)
+    return _translucency(term, directly_lit, shadow_valid, translucency_neutral)
+
+
+def translucency_exponent(thickness, directly_lit, shadow_valid, x, y, exponent, d_min, translucency_neutral):
+    term = power(x, y / power(maximum(thickness, d_min), exponent))
+    return _translucency(term, directly_lit, shadow_valid, translucency_neutral)
+
+
+def translucency_beer(thickness, directly_lit, shadow_valid, x, translucency_neutral):
+    term = correctly_rounded(gmpy2.exp, -x * thickness)
+    return _translucency(term, directly_lit, shadow_valid, translucency_neutral)
+
+
+def lit_multiply(phong, directly_lit, translucency):
+    return (phong if directly_lit else scaled(phong, translucency),)
+
+
+def lit_add(phong, albedo, translucency, position_world, normal_world, light_position, translucency_scale):
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    factor = (translucency * translucency_scale) * (F(1) - maximum(facing, F(0)))
+    return (added(phong, scaled(albedo, factor)),)
+
+
+def lit_transmit(
+    phong,
+    albedo,
+    directly_lit,
+    translucency,
+    incident_light,
+    position_world,
+    normal_world,
+    light_position,
+    translucency_scale,
+    ambient,
+    light_count,
+):
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    reflected = phong if directly_lit else scaled(albedo, ambient / light_count)
+    factor = (translucency * translucency_scale) * maximum(-facing, F(0))
+    return (added(reflected, scaled(times(albedo, incident_light), factor)),)
+
+
+# Blur
+
+
+def _taps(pixel, tap_offset, tap_weight, tap_count, pixel_scale):
+    """Per tap: lower left texel, fraction, weight of each channel."""
+    for k in range(tap_count):
+        shift, t = split([tap_offset[k][0] * pixel_scale, tap_offset[k][1] * pixel_scale])
+        yield [pixel[0] + shift[0], pixel[1] + shift[1]], t, list(tap_weight[k])
+
+
+def _sum(terms):
+    total = terms[0]
+    for term in terms[1:]:
+        total = added(total, term)
+    return total
+
+
+def scatter(lit, pixel, tap_offset, tap_weight, tap_count, pixel_scale):
+    taps = _taps(pixel, tap_offset, tap_weight, tap_count, pixel_scale)
+    return (_sum([times(bilinear(lit, corner, t), weight) for corner, t, weight in taps]),)
+
+
+def single_tap(lit, pixel, offset, weight, pixel_scale):
+    return scatter(lit, pixel, [offset], [weight], 1, pixel_scale)
+
+
+def scatter_inside(lit, coverage, pixel, tap_offset, tap_weight, tap_count, pixel_scale):
+    taps = list(_taps(pixel, tap_offset, tap_weight, tap_count, pixel_scale))
+    inside = coverage.astype(np.float32)
+    covered_lit = lit * inside[..., None]
+    total = _sum([times(bilinear(covered_lit, corner, t), weight) for corner, t, weight in taps])
+    kept = _sum([scaled(weight, bilinear(inside, corner, t)[0]) for corner, t, weight in taps])
+    weights = _sum([weight for _, _, weight in taps])
+    unblurred = lit[pixel[1], pixel[0]]
+    return ([unblurred[k] if kept[k] == 0 else total[k] * (weights[k] / kept[k]) for k in range(3)],)
+
+
+# Composite
+
+
+def over_background(scattered, coverage, background):
+    return (scattered if coverage else background,)
+
+
+def glow(scattered):
+    return (scattered,)
+
+
+# Irradiance in texture space
+
+
+def irradiance_paper(position_world, normal_world, light_position, incident_light):
+    distance = length(minus(position_world, light_position))
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    return (scaled(incident_light, distance * maximum(facing, F(0))),)
+
+
+def irradiance_lambert(position_world, normal_world, light_position, incident_light, directly_lit, shadow_valid):
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    in_shadow = shadow_valid and not directly_lit
+    return (scaled(incident_light, F(0) if in_shadow else maximum(facing, F(0))),)
+
+
+def irradiance_distance(position_world, light_position, incident_light):
+    return (scaled(incident_light, length(minus(position_world, light_position))),)
+
+
+def dilate(irradiance, irradiance_mask, pixel):
+    """R8: itself, then left, right, below, above, then the corners, the lower ones first, each pair from the left."""
+    column, row = pixel
+    height, width = irradiance_mask.shape
+    for x, y in [(0, 0), (-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, -1), (-1, 1), (1, 1)]:
+        i, j = column + x, row + y
+        if 0 <= i < width and 0 <= j < height and irradiance_mask[j, i]:
+            return irradiance[j, i], True
+    return irradiance[row, column], False
+
+
+# The picture in texture space
+
+
+def irradiance_lookup(uv, directly_lit, shadow_valid, shadow_uv, light_uv):
+    return (nearest(light_uv, shadow_uv) if shadow_valid and not directly_lit else uv,)
+
+
+def _irradiance_at(scattered_irradiance, uv):
+    on_map = [min(max(v, F(0)), F(1)) for v in uv]
+    return bilinear(scattered_irradiance, *between_centres(scattered_irradiance, on_map))
+
+
+def irradiance_replaced(uv, irradiance_uv, directly_lit, translucency, scattered_irradiance):
+    if directly_lit:
+        return (_irradiance_at(scattered_irradiance, uv),)
+    return (scaled(_irradiance_at(scattered_irradiance, irradiance_uv), translucency),)
+
+
+def irradiance_added(
+    uv,
+    irradiance_uv,
+    translucency,
+    translucency_scale,
+    position_world,
+    normal_world,
+    light_position,
+    scattered_irradiance,
+):
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    factor = (translucency * translucency_scale) * maximum(-facing, F(0))
+    through = scaled(_irradiance_at(scattered_irradiance, irradiance_uv), factor)
+    return (added(_irradiance_at(scattered_irradiance, uv), through),)
+
+
+def image_sqrt(irradiance_used, phong):
+    return ([np.sqrt(maximum(v, F(0))) for v in times(irradiance_used, phong)],)
+
+
+def gloss_where_lit(
+    position_world,
+    normal_world,
+    light_position,
+    camera_position,
+    incident_light,
+    directly_lit,
+    specular,
+    shininess,
+):
+    s = _highlight(position_world, normal_world, light_position, camera_position, shininess)
+    return (scaled(incident_light, specular * s) if directly_lit else [F(0)] * 3,)
+
+
+def image_product(irradiance_used, gloss, ambient, albedo):
+    return (times([(ambient + i) + g for i, g in zip(irradiance_used, gloss, strict=True)], albedo),)
+
+
+# Several lights
+
+
+def plus(first, second):
+    return (added(first, second),)

@@ -1,0 +1,88 @@
+"""What textures keep: the values that one may have been given that holds another, and depths in all their formats."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import sss_ref
+from sss_ref.interpret.intervals.profile import PROFILES
+from sss_ref.rendering.fold import render
+from sss_ref.scene.load import load_scene
+from sss_ref.scene_file.color_texture import srgb_decoded
+from sss_ref.validation.accept.storage import STEPS, before_storage, depth_storage, lost_in_storage, step_of
+
+F = np.float32
+VULKAN = PROFILES["vulkan"]
+CODES = {"unorm8": 255, "unorm10": 1023, "unorm16": 65535, "unorm24": 2**24 - 1}
+BITS = {"float16": 10, "float11": 6, "float10": 5}  # of the significand
+
+
+def neighbours(x, storage):
+    """The values below and above that a texture has, each on its own; 0 <= x <= 1 for the normalised ones."""
+    if storage == "srgb8":
+        codes = srgb_decoded().astype(float)
+        return codes[codes <= x].max(), codes[codes >= x].min()
+    if storage in BITS:
+        step = 2.0 ** (max(np.floor(np.log2(abs(x) or 1e-30)), -14) - BITS[storage])
+        return np.floor(x / step) * step, np.ceil(x / step) * step
+    return np.floor(x * CODES[storage]) / CODES[storage], np.ceil(x * CODES[storage]) / CODES[storage]
+
+
+@pytest.mark.parametrize("storage", STEPS)
+@given(x=st.floats(0, 1, width=32))
+@settings(max_examples=200)
+def test_a_texture_holds_a_neighbour_of_what_it_was_given(storage, x):
+    for held in neighbours(x, storage):
+        kept = np.array([held], F)
+        before = before_storage(storage, kept)
+        assert before.low[0] - 1e-7 <= x <= before.high[0] + 1e-7  # float32 holds n/255 only nearly
+        assert lost_in_storage(storage, np.array([x], F), kept)[0] >= abs(held - x) - 1e-7
+
+
+def test_steps_by_hand():
+    values = F([0, 1, 3])
+    assert step_of("float32", values).tolist() == [0, 0, 0]
+    assert step_of("float16", values).tolist() == [2.0**-24, 2.0**-10, 3 * 2.0**-10]
+    assert step_of("unorm8", values).tolist() == [1 / 255] * 3
+
+
+def test_what_is_beyond_the_range_is_cut_off():
+    held = F([0, 1, 0.2])
+    before = before_storage("unorm8", held)
+    assert before.low.tolist() == [-np.inf, 1 - 1 / 255, F(0.2) - 1 / 255]
+    assert before.high.tolist() == [1 / 255, np.inf, F(0.2) + 1 / 255]
+    assert lost_in_storage("unorm8", F([-3, 7, 7]), held).tolist() == [3, 6, 1 / 255]
+    assert lost_in_storage("float16", F([7]), F([1])).tolist() == [2.0**-10]
+    assert lost_in_storage("float32", F([7]), F([1])).tolist() == [0]
+
+
+@pytest.fixture(scope="module")
+def oracle():
+    small = {f"{table}.{side}": 48 for table in ("camera", "shadow_map") for side in ("width", "height")}
+    return render(load_scene("sphere", **small), interpreter="arrays")
+
+
+def test_a_colour_that_a_texture_cut_off_is_no_error(oracle):
+    bright = render(
+        sss_ref.load_scene("sphere", **{"camera.width": 48, "camera.height": 48, "lights.0.intensity": 5.0})
+    )
+    assert bright["image"].max() > 1
+    cut = np.rint(np.clip(bright["image"], 0, 1) * 255).astype(F) / F(255)
+    assert sss_ref.validate(bright, {"image": cut}, {"image": "unorm8"}).passed
+    assert not sss_ref.validate(bright, {"image": np.minimum(cut, F(0.9))}, {"image": "unorm8"}).passed
+
+
+@pytest.mark.parametrize(("depth_format", "codes"), [("D16", 2**16 - 1), ("D24", 2**24 - 1), ("D32F", None)])
+@pytest.mark.parametrize("reversed_depth", [False, True])
+def test_depths_in_every_format(oracle, depth_format, codes, reversed_depth):
+    profile = replace(VULKAN, depth_format=depth_format, reversed_depth=reversed_depth)
+    assert depth_storage(profile) == {"D16": "unorm16", "D24": "unorm24", "D32F": "float32"}[depth_format]
+    turned = 1.0 - oracle["depth"].astype(np.float64) if reversed_depth else oracle["depth"].astype(np.float64)
+    held = {"depth": (np.floor(turned * codes) / codes if codes else turned).astype(F)}
+    assert sss_ref.validate(oracle, held, profile=profile).passed
+    assert not sss_ref.validate(oracle, held, profile=replace(profile, reversed_depth=not reversed_depth)).passed
+    if depth_format == "D16":
+        assert not sss_ref.validate(oracle, held, profile=replace(profile, depth_format="D24")).passed

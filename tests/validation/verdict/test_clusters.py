@@ -1,0 +1,138 @@
+"""Where wrong pixels lie: put there on purpose, they are found there."""
+
+import numpy as np
+import pytest
+from scenes import around, sphere, two_slabs, written
+
+from sss_ref.rendering.fold import render
+from sss_ref.scene.load import load_scene
+from sss_ref.validation.stage_by_stage import validate
+from sss_ref.validation.verdict.clusters import Places, Zone, _sentence
+
+
+def rendered(path, method="screen_space"):
+    return render(load_scene(around(path, 64, method=method, irradiance_map={"width": 64, "height": 64})), "arrays")
+
+
+@pytest.fixture(scope="module")
+def slabs(tmp_path_factory):
+    return rendered(written(tmp_path_factory.mktemp("slabs") / "slabs.obj", *two_slabs()))
+
+
+@pytest.fixture(scope="module")
+def ball(tmp_path_factory):
+    return rendered(written(tmp_path_factory.mktemp("ball") / "ball.obj", *sphere(6)), "texture_space")
+
+
+def naive_varies(values):
+    """Whether one of the 8 neighbours of a pixel is another."""
+    rows, columns = values.shape
+    found = np.zeros(values.shape, bool)
+    for row, column in np.ndindex(values.shape):
+        around_it = values[max(row - 1, 0) : row + 2, max(column - 1, 0) : column + 2]
+        found[row, column] = (around_it != values[row, column]).any()
+    assert found.shape == (rows, columns)
+    return found
+
+
+def wrong_where(oracle, chosen, buffer="phong"):
+    """What is said of a buffer that is wrong at these pixels."""
+    got = oracle[buffer].copy()
+    got[chosen] += 1
+    return validate(oracle, {buffer: got}, explain=False)
+
+
+def test_triangles_of_a_pass_and_of_those_that_follow_it(slabs, ball):
+    assert np.array_equal(Places(slabs, {}).triangles("camera"), slabs["triangle"])
+    assert np.array_equal(Places(slabs, {}).triangles("blur"), slabs["triangle"])
+    assert np.array_equal(Places(slabs, {}).triangles("shadow_map"), slabs["light_triangle"])
+    layout = Places(ball, {}).triangles("irradiance_map" if "irradiance_map" in ball.timings else "irradiance")
+    assert np.array_equal(layout >= 0, ball["irradiance_mask"] != 0)
+
+
+def test_zones_are_those_of_a_naive_loop(slabs):
+    triangles, lit = slabs["triangle"], slabs["directly_lit"] != 0
+    covered = triangles >= 0
+    outline, edges = naive_varies(covered), naive_varies(triangles)
+    wrong = covered & (np.random.default_rng(4).random(covered.shape) < 0.3)
+    expected = {
+        "at the outline": outline,
+        "at triangle edges inside": edges & ~outline,
+        "where directly_lit changes": naive_varies(lit) & ~outline,
+        "where directly_lit is 0": covered & ~lit,
+        "where directly_lit is 1": lit,
+    }
+    found = Places(slabs, {}).clusters("camera", covered, wrong)
+    counted = {zone.name: (zone.wrong, zone.compared) for zone in found.zones}
+    assert counted == {
+        name: (int((zone & wrong).sum()), int((zone & covered).sum())) for name, zone in expected.items()
+    }
+    assert "lie in no particular kind of place" in found.sentence
+
+
+def test_at_triangle_edges(slabs):
+    covered = slabs["triangle"] >= 0
+    edges = covered & naive_varies(slabs["triangle"]) & ~naive_varies(covered)
+    found = wrong_where(slabs, edges).culprit
+    share = edges.sum() / covered.sum()
+    assert found.clusters.sentence == (
+        f"100% of the wrong pixels lie at triangle edges inside, as {share:.1%} of all do"
+    )
+
+
+def test_at_the_outline(slabs):
+    covered = slabs["triangle"] >= 0
+    found = wrong_where(slabs, covered & naive_varies(covered)).culprit
+    assert found.clusters.sentence.startswith("100% of the wrong pixels lie at the outline, as ")
+
+
+def test_on_one_triangle(slabs):
+    ids, counts = np.unique(slabs["triangle"][slabs["triangle"] >= 0], return_counts=True)
+    one = ids[counts.argmin()]
+    found = wrong_where(slabs, slabs["triangle"] == one)
+    assert found.culprit.clusters.sentence == f"100% of the wrong pixels lie on triangle {one}"
+    assert found.culprit.first.triangles == (one,) and found.culprit.worst.triangles == (one,)
+
+
+def test_of_two_zones_that_stand_out_alike_the_first_is_named():
+    zones = (Zone("at the outline", 5, 10), Zone("in shadow", 5, 10))
+    where, wrong = np.ones((10, 10), bool), np.zeros((10, 10), bool)
+    wrong[0, :5] = True
+    told = _sentence(zones, np.arange(100).reshape(10, 10), where, wrong)
+    assert told == "100% of the wrong pixels lie at the outline, as 10.0% of all do"
+
+
+def test_everywhere(slabs):
+    found = wrong_where(slabs, slabs["triangle"] >= 0)
+    assert found.culprit.clusters.sentence == "wrong everywhere: 100% of the pixels compared"
+
+
+def test_borders_of_the_layout(ball):
+    mask = ball["irradiance_mask"] != 0
+    found = wrong_where(ball, mask & naive_varies(mask), "irradiance").culprit
+    assert "lie at the borders of the UV layout, as" in found.clusters.sentence
+
+
+def test_first_and_worst_pixel(slabs):
+    """First is the lowest row, then the leftmost column; worst is the one that lies farthest off."""
+    covered = np.argwhere(slabs["triangle"] >= 0)
+    chosen = covered[[10, 20, 30, 40, 50, 60]]
+    got = slabs["phong"].copy()
+    got[tuple(chosen.T)] += np.arange(1, 7, dtype=np.float32)[[0, 1, 5, 2, 3, 4], None]
+    found = validate(slabs, {"phong": got}, explain=False)
+    first, worst = found.culprit.first, found.culprit.worst
+    assert first.at == tuple(chosen[0][::-1]) and worst.at == tuple(chosen[2][::-1])
+    assert worst.triangles == (slabs["triangle"][tuple(chosen[2])],)
+    assert worst.ulps > 2**20 and worst.widths > 2**10 and first.ulps < worst.ulps
+    assert found.details[0].startswith(f"first at pixel {first.at[0]},{first.at[1]} (triangle {first.triangles[0]}): ")
+
+
+def test_both_triangles_where_they_differ(slabs):
+    covered = np.argwhere(slabs["triangle"] >= 0)
+    row, column = covered[len(covered) // 2]
+    other = slabs["triangle"].copy()
+    other[row - 1 : row + 2, column - 1 : column + 2] = 99
+    found = validate(slabs, {"triangle": other}, explain=False).culprit
+    ours = slabs["triangle"][found.first.at[1], found.first.at[0]]
+    assert found.first.triangles == (ours, 99)
+    assert ("no triangle" if ours < 0 else f"triangle {ours}") + " or triangle 99" in str(found.first)

@@ -1,0 +1,72 @@
+import math
+
+import numpy as np
+import pytest
+
+from sss_ref.errors import SceneError
+from sss_ref.scene_file.viewpoints import LightSettings
+from sss_ref.view.light_fit import Bounds, field_of_view, fitted
+
+# A box from (-1, -1, -1) to (1, 1, 3): centre (0, 0, 1), and the farthest vertex is 2 away.
+POINTS = np.array([[-1, 0, 1], [1, 0, 1], [0, -1, 1], [0, 1, 1], [0, 0, 3], [0, 0, -1.0]])
+BOUNDS = Bounds.around(POINTS)
+K = 1.05 * 2
+
+
+def test_bounds_are_around_the_boxes_middle():
+    assert np.array_equal(BOUNDS.centre, [0, 0, 1]) and BOUNDS.radius == 2
+    assert BOUNDS.holds(np.array([1, 1, 3.0])) and not BOUNDS.holds(np.array([0, 0, 3.5]))
+
+
+def test_fit_from_outside():
+    light = fitted(LightSettings(position=(0, 0, 11)), BOUNDS, 1.0)
+    assert light.target == (0, 0, 1)
+    assert (light.near, light.far) == (10 - K, 10 + K)
+    assert light.fov_y == pytest.approx(2 * math.degrees(math.asin(K / 10)), rel=1e-15)
+
+
+def test_near_is_never_below_a_thousandth_of_the_distance():
+    q = np.nextafter(K, 3)
+    light = fitted(LightSettings(position=(0, 0, 1 + q)), BOUNDS, 1.0)
+    assert light.near == (1 + q - 1) / 1000
+
+
+def test_given_values_stay():
+    light = LightSettings(position=(0, 0, 11), target=(0, 0, 5), fov_y=20, near=0.5, far=50)
+    assert fitted(light, BOUNDS, 1.0) == light
+    partly = fitted(LightSettings(position=(0, 0, 11), near=0.5), BOUNDS, 1.0)
+    assert (partly.near, partly.far) == (0.5, 10 + K)
+
+
+def test_field_of_view_by_hand():
+    # asin(1/2) = 30 degrees; a target 45 degrees off adds 45; a map half as wide as high doubles the tangent.
+    ahead, beside = np.array([0, 0, -2.0]), np.array([-1, 0, -1.0])
+    assert field_of_view(ahead, ahead, 1.0, 1.0) == 60
+    assert field_of_view(ahead, ahead, 1.0, 7.0) == 60
+    assert field_of_view(ahead, beside, 1.0, 1.0) == 150
+    assert field_of_view(np.array([0, 0, -math.sqrt(2)]), ahead, 1.0, 0.5) == pytest.approx(
+        2 * math.degrees(math.atan(2)), rel=1e-15
+    )
+
+
+def test_light_too_close():
+    with pytest.raises(SceneError) as error:
+        fitted(LightSettings(position=(0, 0, 3)), BOUNDS, 1.0)
+    assert str(error.value) == (
+        "expected a light farther than 2.1 from the mesh's centre, got 2; move it or give fov_y, near and far"
+    )
+
+
+def test_target_too_far_aside():
+    with pytest.raises(SceneError) as error:
+        fitted(LightSettings(position=(0, 0, 11), target=(0, 5, 11)), BOUNDS, 1.0)
+    assert str(error.value) == (
+        "expected a target near the mesh, got one that needs a field of view of 204.245 degrees; "
+        "move the target or give fov_y, near and far"
+    )
+
+
+def test_near_beyond_the_fitted_far():
+    with pytest.raises(SceneError) as error:
+        fitted(LightSettings(position=(0, 0, 11), near=13), BOUNDS, 1.0)
+    assert str(error.value) == "expected near < far, got near 13 and far 12.1 after fitting; give both or neither"

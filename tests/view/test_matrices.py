@@ -1,0 +1,86 @@
+import numpy as np
+import pytest
+
+from sss_ref.errors import SceneError
+from sss_ref.view.matrices import (
+    look_at,
+    normal_matrix,
+    perspective,
+    placement,
+    product,
+    rotation,
+    transformed,
+)
+
+
+def vector(*components):
+    return np.array(components, np.float64)
+
+
+def test_product_sums_in_the_written_order():
+    generator = np.random.default_rng(1)
+    for a, b in generator.standard_normal((20, 2, 4, 4)):
+        for row, column in np.ndindex(4, 4):
+            p = [float(a[row, k]) * float(b[k, column]) for k in range(4)]
+            assert product(a, b)[row, column] == ((p[0] + p[1]) + p[2]) + p[3]
+
+
+def test_placement_scales_then_turns_about_x_y_z_then_moves():
+    x = vector([1, 0, 0])
+    assert np.array_equal(transformed(placement((2, 1, 1), (0, 0, 0), (0, 0, 0)), x), [[2, 0, 0]])
+    assert np.array_equal(transformed(placement((2, 1, 1), (0, 0, 90), (5, 0, 0)), x), [[5, 2, 0]])
+    assert np.array_equal(transformed(placement((1, 1, 1), (0, 90, 90), (0, 0, 0)), x), [[0, 0, -1]])
+    assert np.array_equal(transformed(placement((1, 1, 1), (90, 90, 0), (0, 0, 0)), vector([0, 1, 0])), [[1, 0, 0]])
+
+
+@pytest.mark.parametrize("axis, before, after", [(0, 1, 2), (1, 2, 0), (2, 0, 1)])
+def test_rotation_is_counter_clockwise(axis, before, after):
+    assert np.array_equal(rotation(axis, 90)[:3, before], np.eye(3)[after])
+
+
+def test_look_at_by_hand():
+    # An eye at (3, 2, 0) looking along -X: right is -Z, up is +Y, backward is +X.
+    expected = [[0, 0, -1, 0], [0, 1, 0, -2], [1, 0, 0, -3], [0, 0, 0, 1]]
+    assert np.array_equal(look_at(vector(3, 2, 0), vector(0, 2, 0), vector(0, 7, 0)), expected)
+
+
+@pytest.mark.parametrize("height", [1.0, -1.0])
+def test_looking_along_up_takes_z_for_up(height):
+    matrix = look_at(vector(0, height, 0), vector(0, 0, 0), vector(0, 1, 0))
+    assert np.array_equal(matrix[1, :3], [0, 0, 1])
+
+
+def test_up_holds_until_the_cosine_is_9999():
+    # cos = 1 / sqrt(1 + t^2): t = .0142 gives .999899 < .9999, t = .0141 gives .9999006.
+    def upright(t):
+        return look_at(vector(t, -1, 0), vector(0, 0, 0), vector(0, 1, 0))[1, :3]
+
+    assert upright(0.0142)[2] == 0
+    assert upright(0.0141)[2] == 1
+
+
+def test_no_up_is_left_along_z():
+    with pytest.raises(SceneError) as error:
+        look_at(vector(0, 0, 1), vector(0, 0, 0), vector(0, 0, 1))
+    assert str(error.value) == ("expected an up across the line of sight, got one along it; give up = [0.0, 1.0, 0.0]")
+
+
+def test_eye_at_target_is_refused():
+    with pytest.raises(SceneError, match=r"^expected a line of sight, got an eye at its target; move one of the two$"):
+        look_at(vector(1, 2, 3), vector(1, 2, 3), vector(0, 1, 0))
+
+
+def test_perspective_by_hand():
+    # tan 45 = 1; aspect 2; near 1, far 3: z = (-2 z - 3), w = -z.
+    expected = [[0.5, 0, 0, 0], [0, 1, 0, 0], [0, 0, -2, -3], [0, 0, -1, 0]]
+    assert np.array_equal(perspective(90, 2, 1, 3), expected)
+
+
+def test_normal_matrix_is_the_inverse_transpose():
+    assert np.array_equal(normal_matrix(placement((2, 4, -8), (0, 0, 0), (1, 2, 3))), np.diag([0.5, 0.25, -0.125]))
+    turned = rotation(1, 90)
+    assert np.array_equal(normal_matrix(turned), turned[:3, :3])
+    # A shear x' = x + 2 y keeps the plane y = 0 and tilts x = 0: its normal (1, 0, 0) becomes (1, -2, 0).
+    sheared = np.eye(4)
+    sheared[0, 1] = 2
+    assert np.array_equal(normal_matrix(sheared), [[1, 0, 0], [-2, 1, 0], [0, 0, 1]])
