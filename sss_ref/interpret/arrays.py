@@ -28,8 +28,7 @@ def run_vertices(
     for own, kind in stage.parameters.items():
         raw = mesh[own] if own in MESH_ATTRIBUTES else uniforms[stage.reads[own]]
         inputs.append(kind(*raw.T) if own in MESH_ATTRIBUTES else uniform_value(kind, raw))
-    with np.errstate(all="ignore"):
-        results = dict(zip(stage.writes.values(), stage(*inputs), strict=True))
+    results = stage.run(inputs)
     count = len(mesh["position"])
     clip_position, attributes = np.empty((count, 4), np.float32), np.empty((count, columns), np.float32)
     for k, component in enumerate(components(results[stage.writes[CLIP_POSITION]])):
@@ -72,8 +71,7 @@ def run_stages(
     for stage in work.one.stages:
         kinds = stage.parameters.items()
         inputs = [stage_input(work, values, stage.reads[own], kind, (rows, columns)) for own, kind in kinds]
-        with np.errstate(all="ignore"):
-            results = dict(zip(stage.writes.values(), stage(*inputs), strict=True))
+        results = stage.run(inputs)
         values |= results
         yield stage, inputs, results
 

@@ -5,10 +5,12 @@ the buffers and uniforms it reads, the fields of the NamedTuple it returns are t
 callable as plain Python, which is how array code runs them.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, update_wrapper
 from typing import Any, TypeVar, cast, get_type_hints
+
+import numpy as np
 
 from sss_ref.errors import StageError
 from sss_ref.language import tree
@@ -71,6 +73,11 @@ class Stage:
     def __call__(self, *arguments: Any) -> Any:
         """Run the stage as plain Python, on scalars or on arrays of fragments."""
         return self.python(*arguments)
+
+    def run(self, inputs: Sequence[Any]) -> dict[str, Any]:
+        """Run the stage as plain Python: buffer -> value. inputs: one value per parameter, in order; no warnings."""
+        with np.errstate(all="ignore"):
+            return dict(zip(self.writes.values(), self(*inputs), strict=True))
 
     @property
     def name(self) -> str:
