@@ -249,10 +249,5 @@ def _blend(a: Interval, b: Interval, weight: Any) -> Interval:
     return each_end(operator.add, of_a, of_b)
 
 
-def _ulp_near(size: Any) -> Any:
-    """The ULP of all results that are about as large, in absolute terms."""
-    return ulp(size * (1.0 + MARGIN)) * (1.0 + MARGIN)
-
-
 def _total(terms: Sequence[Any]) -> Any:
     return reduce(operator.add, terms)
