@@ -3,11 +3,11 @@
 from typing import NamedTuple
 
 import gmpy2
+import naive_language as naive
 import numpy as np
 import pytest
 from naive_language import F
 from one_stage import Inputs, assert_same_bits, run, run_naively
-import naive_language as naive
 
 from sss_ref.interpret import arrays
 from sss_ref.interpret.kernel import loops as kernel
