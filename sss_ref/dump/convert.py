@@ -5,7 +5,7 @@ import numpy as np
 from sss_ref.dump.encoding import Encoding, decoded, scaled, storage_of
 from sss_ref.dump.slots import Slot
 from sss_ref.dump.sources import Source
-from sss_ref.dump.texels import Texels
+from sss_ref.dump.texels import StoredTexels
 from sss_ref.dump.vectors import in_world, octahedral, unit_range
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import told
@@ -17,7 +17,7 @@ EXACT_BELOW = 2.0**31  # what int32 can hold; float32 holds far fewer, but all i
 Converted = tuple[np.ndarray, Encoding, tuple[str, ...]]
 
 
-def converted(source: Source, slot: Slot, parts: tuple[Texels, ...], camera: View) -> Converted:
+def converted(source: Source, slot: Slot, parts: tuple[StoredTexels, ...], camera: View) -> Converted:
     """The buffer, how it was stored, and notes on what was passed over. Raises DumpError for what does not fit."""
     _check_keys(source, slot)
     table = source.table
@@ -46,7 +46,7 @@ def _check_keys(source: Source, slot: Slot) -> None:
         raise DumpError(told(source.at("normals"), expected, f'"{table.normals}"', "remove it"))
 
 
-def _chosen(source: Source, parts: tuple[Texels, ...], count: int) -> tuple[Texels, tuple[str, ...]]:
+def _chosen(source: Source, parts: tuple[StoredTexels, ...], count: int) -> tuple[StoredTexels, tuple[str, ...]]:
     """The part that is the buffer's, and the names of its channels."""
     candidates = _parts_named(source, parts)
     for texels in candidates:
@@ -61,7 +61,7 @@ def _chosen(source: Source, parts: tuple[Texels, ...], count: int) -> tuple[Texe
     raise DumpError(told(source.at("channels"), f"{wanted} in {source.path.name}", there, "name those of the buffer"))
 
 
-def _parts_named(source: Source, parts: tuple[Texels, ...]) -> list[Texels]:
+def _parts_named(source: Source, parts: tuple[StoredTexels, ...]) -> list[StoredTexels]:
     """The part that was asked for, or the only one, or the one with the buffer's name (in one piece per type)."""
     names = list(dict.fromkeys(texels.part for texels in parts))
     wanted = source.table.part
@@ -84,7 +84,7 @@ def _usual_channels(there: tuple[str, ...], count: int) -> tuple[str, ...] | Non
     return there if len(there) == count == 1 else None
 
 
-def _check_size(source: Source, slot: Slot, texels: Texels) -> None:
+def _check_size(source: Source, slot: Slot, texels: StoredTexels) -> None:
     height, width = texels.data.shape[:2]
     if (width, height) != (slot.width, slot.height):
         expected = f"{slot.width} x {slot.height} pixels, as {slot.target} of the scene"
@@ -119,7 +119,7 @@ def _typed(values: np.ndarray, slot: Slot, source: Source) -> np.ndarray:
     return values.astype(slot.dtype)
 
 
-def _notes(source: Source, texels: Texels, channels: tuple[str, ...]) -> tuple[str, ...]:
+def _notes(source: Source, texels: StoredTexels, channels: tuple[str, ...]) -> tuple[str, ...]:
     notes = []
     if set(texels.channels) - set(channels):
         notes.append(f"channels {', '.join(channels)} of {', '.join(texels.channels)}")

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from sss_ref.dump.formats import dds, exr, npy, png, raw, tiff
-from sss_ref.dump.texels import Texels
+from sss_ref.dump.texels import StoredTexels
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import told
 
@@ -20,7 +20,7 @@ SUFFIXES = (*READERS, *RAW)
 BOTTOM_FIRST = (".npy",)  # NPY is a copy of memory, as our own is; pictures begin at the top
 
 
-def parts_of(path: Path, layout: raw.Layout | None = None) -> tuple[Texels, ...]:
+def parts_of(path: Path, layout: raw.RawLayout | None = None) -> tuple[StoredTexels, ...]:
     """The surfaces of a file of any known format. Raises DumpError, whatever is wrong with it.
 
     layout: of a raw file.

@@ -10,17 +10,17 @@ import numpy as np
 from sss_ref.dump.convert import converted
 from sss_ref.dump.encoding import Encoding
 from sss_ref.dump.files import parts_of
-from sss_ref.dump.formats.raw import Layout
+from sss_ref.dump.formats.raw import RawLayout
 from sss_ref.dump.mapping import Origin
 from sss_ref.dump.slots import Slot, slots_of
 from sss_ref.dump.sources import Source, known_only, sources_of
-from sss_ref.dump.texels import Texels
+from sss_ref.dump.texels import StoredTexels
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import nearest, told
 from sss_ref.results.diff import bits
 from sss_ref.scene.load import Scene
 
-Parts = Callable[[Path, Layout | None], tuple[Texels, ...]]
+Parts = Callable[[Path, RawLayout | None], tuple[StoredTexels, ...]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +93,7 @@ def _buffer(source: Source, slots: Mapping[str, Slot], parts: Parts, scene: Scen
     if source.name not in slots:
         where = f"{source.mapping}: buffers.{source.name}"
         raise DumpError(told(where, "a buffer of this scene", "this one", nearest(source.name, slots)))
-    layout = Layout(source.table.shape, source.table.dtype) if source.table.shape and source.table.dtype else None
+    layout = RawLayout(source.table.shape, source.table.dtype) if source.table.shape and source.table.dtype else None
     data, encoding, notes = converted(source, slots[source.name], parts(source.path, layout), scene.camera)
     buffer = DumpedBuffer(source.name, data, encoding, source.path, notes)
     return replace(buffer, notes=(*notes, *_oddities(buffer)))

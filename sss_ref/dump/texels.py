@@ -23,7 +23,7 @@ STORAGE_OF_TYPE = {
 
 
 @dataclass(frozen=True, eq=False)
-class Texels:
+class StoredTexels:
     """The elements of a surface.
 
     data: (H, W, C), rows in the order of the file; float32, float16, uint8, uint16, int32 or uint32.
@@ -53,7 +53,7 @@ def check_size(path: Path, width: int, height: int, texel_bytes: int, available:
         raise DumpError(told(str(path), expected, f"{available}", "the file is cut off; dump the buffer again"))
 
 
-def array_texels(path: Path, array: np.ndarray) -> Texels:
+def array_texels(path: Path, array: np.ndarray) -> StoredTexels:
     """The texels of a plain array (H, W) or (H, W, C), whose channels are called R, G, B, A. Raises DumpError."""
     storage = STORAGE_OF_TYPE.get(f"{array.dtype.kind}{array.dtype.itemsize}")
     if storage is None:
@@ -65,4 +65,4 @@ def array_texels(path: Path, array: np.ndarray) -> Texels:
         raise DumpError(told(str(path), expected, " x ".join(map(str, array.shape)) or "a number", "reshape it"))
     check_size(path, width, height, array.dtype.itemsize * channels)
     data = np.array(array, array.dtype.newbyteorder("=")).reshape(height, width, channels)
-    return Texels(data.view(np.uint8) if data.dtype == bool else data, tuple("RGBA"[:channels]), storage)
+    return StoredTexels(data.view(np.uint8) if data.dtype == bool else data, tuple("RGBA"[:channels]), storage)

@@ -12,7 +12,7 @@ from typing import BinaryIO
 import numpy as np
 
 from sss_ref.dump.formats.dds_formats import DXGI, FOURCC, MASKS, TexelFormat
-from sss_ref.dump.texels import Texels, check_size
+from sss_ref.dump.texels import StoredTexels, check_size
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import told
 
@@ -27,7 +27,7 @@ EXPORT_ONE = "export a single 2D texture"
 
 
 @dataclass(frozen=True)
-class Header:
+class DdsHeader:
     """What the words before the texels say; `size` is the bytes they take."""
 
     width: int
@@ -37,7 +37,7 @@ class Header:
     size: int
 
 
-def read(path: Path) -> tuple[Texels]:
+def read(path: Path) -> tuple[StoredTexels]:
     """The first mip of a DDS file's only surface. Raises DumpError."""
     with path.open("rb") as file:
         header = _header(path, file)
@@ -56,12 +56,12 @@ def read(path: Path) -> tuple[Texels]:
     return (_unpacked(np.ndarray(shape, element, data, strides=strides), header.format),)
 
 
-def _unpacked(stored: np.ndarray, texel: TexelFormat) -> Texels:
+def _unpacked(stored: np.ndarray, texel: TexelFormat) -> StoredTexels:
     data = texel.unpack(stored[..., 0]) if texel.unpack else stored.astype(stored.dtype.newbyteorder("="))
-    return Texels(data, tuple(texel.channels), texel.storage)
+    return StoredTexels(data, tuple(texel.channels), texel.storage)
 
 
-def _header(path: Path, file: BinaryIO) -> Header:
+def _header(path: Path, file: BinaryIO) -> DdsHeader:
     words = _words(path, file, 32)
     if (words[0], words[1], words[19]) != (MAGIC, HEADER_SIZE, PIXEL_FORMAT_SIZE):
         raise DumpError(told(str(path), "a DDS file", "other data", "give it the suffix of its format"))
@@ -74,7 +74,7 @@ def _header(path: Path, file: BinaryIO) -> Header:
         texel = _extended_format(path, _words(path, file, 5))
     else:
         texel = _old_format(path, fourcc if pixel_flags & HAS_FOURCC else None, tuple(masks))
-    return Header(width, height, pitch if flags & HAS_PITCH else None, texel, 4 * (37 if is_extended else 32))
+    return DdsHeader(width, height, pitch if flags & HAS_PITCH else None, texel, 4 * (37 if is_extended else 32))
 
 
 def _words(path: Path, file: BinaryIO, count: int) -> tuple[int, ...]:

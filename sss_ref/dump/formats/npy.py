@@ -4,12 +4,12 @@ from pathlib import Path
 
 import numpy as np
 
-from sss_ref.dump.texels import Texels, array_texels
+from sss_ref.dump.texels import StoredTexels, array_texels
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import told
 
 
-def read(path: Path) -> tuple[Texels]:
+def read(path: Path) -> tuple[StoredTexels]:
     """The array of an NPY file. It is mapped first, which fails without taking memory if the file is too short."""
     array = np.load(path, mmap_mode="r", allow_pickle=False)
     if not isinstance(array, np.ndarray):

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sss_ref.dump.texels import Texels, check_size
+from sss_ref.dump.texels import StoredTexels, check_size
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import told
 
@@ -18,7 +18,7 @@ STORAGE = {8: "unorm8", 16: "unorm16"}  # by bit depth
 
 
 @dataclass(frozen=True)
-class Header:
+class PngHeader:
     """IHDR, as it stands in the file."""
 
     width: int
@@ -35,7 +35,7 @@ class Header:
         return len(CHANNELS[self.colour_type]) * self.depth // 8
 
 
-def read(path: Path) -> tuple[Texels]:
+def read(path: Path) -> tuple[StoredTexels]:
     """The texels of a PNG file as stored; what it says of colour spaces is not applied. Raises DumpError.
 
     Palettes, interlacing and fewer than 8 bits, which no dump has, are refused.
@@ -45,7 +45,9 @@ def read(path: Path) -> tuple[Texels]:
     lines = _lines(path, header, b"".join(data for kind, data in chunks if kind == b"IDAT"))
     shape = header.height, header.width, len(CHANNELS[header.colour_type])
     data = np.ascontiguousarray(lines[:, 1:]).view(f">u{header.depth // 8}").reshape(shape)
-    return (Texels(data.astype(data.dtype.newbyteorder("=")), CHANNELS[header.colour_type], STORAGE[header.depth]),)
+    return (
+        StoredTexels(data.astype(data.dtype.newbyteorder("=")), CHANNELS[header.colour_type], STORAGE[header.depth]),
+    )
 
 
 def _chunks(path: Path, data: bytes) -> Iterator[tuple[bytes, bytes]]:
@@ -62,11 +64,11 @@ def _chunks(path: Path, data: bytes) -> Iterator[tuple[bytes, bytes]]:
         at += 12 + size
 
 
-def _header(path: Path, chunks: list[tuple[bytes, bytes]]) -> Header:
+def _header(path: Path, chunks: list[tuple[bytes, bytes]]) -> PngHeader:
     kind, content = chunks[0]
     if kind != b"IHDR" or len(content) != 13:
         raise DumpError(told(str(path), "a header first", f"a chunk {kind!r}", "dump the buffer again"))
-    header = Header(*struct.unpack(">IIBBBBB", content))
+    header = PngHeader(*struct.unpack(">IIBBBBB", content))
     supported = header.depth in STORAGE and header.colour_type in CHANNELS
     if not supported or header.compression or header.filtering or header.interlace:
         came = f"{header.depth} bits, colour type {header.colour_type}, interlace {header.interlace}"
@@ -75,7 +77,7 @@ def _header(path: Path, chunks: list[tuple[bytes, bytes]]) -> Header:
     return header
 
 
-def _lines(path: Path, header: Header, compressed: bytes) -> np.ndarray:
+def _lines(path: Path, header: PngHeader, compressed: bytes) -> np.ndarray:
     """The rows, uint8 (H, 1 + row bytes), with the filters undone; never more bytes than the header declares."""
     from sss_ref.dump.formats.png_filters import PAETH, unfilter
 

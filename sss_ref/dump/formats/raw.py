@@ -6,20 +6,20 @@ from pathlib import Path
 
 import numpy as np
 
-from sss_ref.dump.texels import Texels, array_texels, check_size
+from sss_ref.dump.texels import StoredTexels, array_texels, check_size
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import told
 
 
 @dataclass(frozen=True)
-class Layout:
+class RawLayout:
     """What a raw file does not say of itself: its shape (H, W) or (H, W, C), and the type of its elements."""
 
     shape: tuple[int, ...]
     dtype: str
 
 
-def read(path: Path, layout: Layout) -> tuple[Texels]:
+def read(path: Path, layout: RawLayout) -> tuple[StoredTexels]:
     """The texels of a raw file, which must have exactly the bytes of its layout. Raises DumpError."""
     element = np.dtype(layout.dtype).newbyteorder("<")
     height, width, *channels = layout.shape

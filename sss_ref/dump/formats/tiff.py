@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import Any
 
-from sss_ref.dump.texels import Texels, array_texels, check_size
+from sss_ref.dump.texels import StoredTexels, array_texels, check_size
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import told
 
@@ -13,7 +13,7 @@ TOP_LEFT = 1  # orientation
 UNORM = {"uint8": "unorm8"}  # a picture's byte is a colour, not a count
 
 
-def read(path: Path) -> tuple[Texels, ...]:
+def read(path: Path) -> tuple[StoredTexels, ...]:
     """The pages of a TIFF file; they are called 0, 1 and so on. Raises DumpError."""
     try:
         import tifffile
@@ -24,7 +24,7 @@ def read(path: Path) -> tuple[Texels, ...]:
         return tuple(_page(path, page, index) for index, page in enumerate(file.pages))
 
 
-def _page(path: Path, page: Any, index: int) -> Texels:
+def _page(path: Path, page: Any, index: int) -> StoredTexels:
     orientation = page.tags.get("Orientation")
     form = page.axes, int(page.photometric), TOP_LEFT if orientation is None else int(orientation.value)
     if form[0] not in AXES or form[1] not in (BLACK_IS_ZERO, RGB) or form[2] != TOP_LEFT:
@@ -33,4 +33,4 @@ def _page(path: Path, page: Any, index: int) -> Texels:
     check_size(path, page.imagewidth, page.imagelength, page.dtype.itemsize * page.samplesperpixel)
     pixels = page.asarray()
     texels = array_texels(path, pixels.transpose(1, 2, 0) if form[0] == "SYX" else pixels)
-    return Texels(texels.data, texels.channels, UNORM.get(texels.storage, texels.storage), str(index))
+    return StoredTexels(texels.data, texels.channels, UNORM.get(texels.storage, texels.storage), str(index))

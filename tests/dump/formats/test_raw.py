@@ -6,7 +6,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from sss_ref.dump.files import parts_of
-from sss_ref.dump.formats.raw import Layout
+from sss_ref.dump.formats.raw import RawLayout
 from sss_ref.errors import DumpError
 
 STORAGE = {
@@ -24,7 +24,7 @@ STORAGE = {
 def test_every_type_and_shape(tmp_path, dtype, shape):
     data = np.random.default_rng(1).bytes(int(np.prod(shape)) * np.dtype(dtype).itemsize)
     (tmp_path / "x.raw").write_bytes(data)
-    (texels,) = parts_of(tmp_path / "x.raw", Layout(shape, dtype))
+    (texels,) = parts_of(tmp_path / "x.raw", RawLayout(shape, dtype))
     assert texels.data.tobytes() == data and texels.data.dtype == dtype
     assert texels.data.shape == (*shape, 1)[:3] and texels.storage == STORAGE[dtype]
 
@@ -44,7 +44,7 @@ def test_what_is_refused_without_taking_memory(tmp_path, shape, found, message):
     (tmp_path / "x.raw").write_bytes(bytes(found))
     tracemalloc.start()
     with pytest.raises(DumpError) as caught:
-        parts_of(tmp_path / "x.raw", Layout(shape, "float32"))
+        parts_of(tmp_path / "x.raw", RawLayout(shape, "float32"))
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert message in str(caught.value) and peak < 2**20
@@ -52,7 +52,7 @@ def test_what_is_refused_without_taking_memory(tmp_path, shape, found, message):
 
 def test_a_missing_file(tmp_path):
     with pytest.raises(DumpError, match=r"x\.raw: expected a file, got No such file or directory; check the path"):
-        parts_of(tmp_path / "x.raw", Layout((1, 1), "uint8"))
+        parts_of(tmp_path / "x.raw", RawLayout((1, 1), "uint8"))
 
 
 @settings(
@@ -66,7 +66,7 @@ def test_a_missing_file(tmp_path):
 def test_arbitrary_bytes_and_shapes_raise_nothing_else(tmp_path, data, shape, dtype):
     (tmp_path / "x.raw").write_bytes(data)
     try:
-        (texels,) = parts_of(tmp_path / "x.raw", Layout(tuple(shape), dtype))
+        (texels,) = parts_of(tmp_path / "x.raw", RawLayout(tuple(shape), dtype))
     except DumpError:
         return
     assert texels.data.tobytes() == data
