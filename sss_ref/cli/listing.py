@@ -31,7 +31,7 @@ def info(
 ) -> int:
     """Say what is in a mesh: its size, whether it is closed, and whether its UVs can hold an irradiance map."""
     from sss_ref.cli.mesh_facts import mesh_facts
-    from sss_ref.mesh.triangles import load_mesh
+    from sss_ref.mesh.mesh_file import load_mesh
     from sss_ref.scene_file.shipped import find_mesh
 
     facts = mesh_facts(load_mesh(find_mesh(mesh, Path()) or Path(mesh)))

@@ -1,7 +1,8 @@
 """Scenes: the TOML file and its presets, cameras, lights and meshes. Importing this needs no heavy library."""
 
 from sss_ref.mesh.materials import Material
-from sss_ref.mesh.triangles import Mesh, load_mesh
+from sss_ref.mesh.mesh_file import load_mesh
+from sss_ref.mesh.triangles import Mesh
 from sss_ref.mesh.uv_facts import UvFacts, uv_facts
 from sss_ref.scene.load import Scene, load_scene
 from sss_ref.scene_file.settings import SceneFile

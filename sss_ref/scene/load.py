@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sss_ref.errors import SceneError
+from sss_ref.mesh.mesh_file import load_mesh
 from sss_ref.mesh.topology import is_inside, is_watertight
-from sss_ref.mesh.triangles import Mesh, array_hash, load_mesh
+from sss_ref.mesh.triangles import Mesh, array_hash
 from sss_ref.mesh.unwrap import unwrapped
 from sss_ref.scene.albedo import albedo_of, albedo_warnings
 from sss_ref.scene_file.quantities import FLOAT32_OVERFLOW

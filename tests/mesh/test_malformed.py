@@ -11,7 +11,7 @@ import pytest
 
 from sss_ref.errors import MeshError, SceneError
 from sss_ref.mesh import gltf_document, untrusted
-from sss_ref.mesh import triangles as mesh
+from sss_ref.mesh import mesh_file as mesh
 from sss_ref.scene import load_mesh, load_scene
 
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from sss_ref.errors import MeshError
-from sss_ref.mesh import triangles as mesh
+from sss_ref.mesh import mesh_file as mesh
 from sss_ref.scene import load_mesh
 
 # A unit cube of quads whose UVs split every corner by face, as most exporters write it.

@@ -1,0 +1,39 @@
+"""Loading a mesh: one list of triangles, whatever the file's format and however many parts it has.
+
+Each format has a reader, which gives the parts in the file's order, moved to their places; they are joined in that
+order. It numbers the triangles in every buffer.
+"""
+
+from pathlib import Path
+
+from sss_ref.mesh.by_trimesh import read_by_trimesh
+from sss_ref.mesh.joining import joined
+from sss_ref.mesh.part import refused
+from sss_ref.mesh.triangles import Mesh
+from sss_ref.mesh.untrusted import BYTE_LIMIT
+from sss_ref.scene_file.shipped import MESH_SUFFIXES
+
+
+def load_mesh(path: Path) -> Mesh:
+    """The mesh in the OBJ, PLY, STL, OFF, glTF or GLB file at `path`.
+
+    Whether its normals are the file's, `normals_source` says; `notes` say what of the file was changed or not used.
+    Raises MeshError for anything that cannot be drawn.
+    """
+    _check_file(path)
+    return joined(path, read_by_trimesh(path))
+
+
+def _check_file(path: Path) -> None:
+    if path.suffix.lower() not in MESH_SUFFIXES:
+        raise refused(path, f"one of {', '.join(MESH_SUFFIXES)}", path.suffix or "no suffix", "convert the mesh")
+    try:
+        if not path.is_file() and path.exists():  # reading a pipe or a device may never end
+            raise refused(path, "a readable file", "a folder or a device", "check the path")
+        with path.open("rb") as file:
+            size = file.seek(0, 2)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise refused(path, "a readable file", reason, "check the path") from None
+    if size > BYTE_LIMIT:
+        raise refused(path, f"at most {BYTE_LIMIT} bytes", str(size), "simplify the mesh")
