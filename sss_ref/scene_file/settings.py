@@ -10,7 +10,6 @@ from typing import Annotated, Literal
 from pydantic import Discriminator, Field, Tag, ValidationInfo, field_validator
 
 from sss_ref.errors.wording import unmet
-from sss_ref.scene.memory import check_memory
 from sss_ref.scene_file.color_texture import texture_size
 from sss_ref.scene_file.kernels import KERNELS, Tap, channel_sums, normalized
 from sss_ref.scene_file.quantities import (
@@ -219,6 +218,8 @@ class SceneFile(Table):
     @field_validator("output")  # the last table, so that all others are known
     @classmethod
     def _fits_memory(cls, output: Output, info: ValidationInfo) -> Output:
+        from sss_ref.scene.memory import check_memory
+
         texture = info.data["mesh"].texture if "mesh" in info.data else None
         check_memory(info.data, texture_size(info.context["folder"] / texture) if info.context and texture else (0, 0))
         return output
