@@ -8,15 +8,17 @@ from importlib import import_module
 from pathlib import Path
 
 import pytest
+from package_sources import IDS, SOURCES
 from scenes import settings_with
-from test_structure import PACKAGE, SOURCES, STAGES
 
 import sss_ref
 from sss_ref.dump.mapping import BufferTable
+from sss_ref.methods.stages import all_stages
 from sss_ref.rules import RULES_VERSION
 from sss_ref.scene_file import viewpoints
 from sss_ref.scene_file.kernels import HBH09
 
+STAGES = all_stages()
 DOCS = Path(__file__).parents[1] / "docs"
 sys.path.insert(0, str(DOCS / "generate"))
 
@@ -130,7 +132,7 @@ def public_functions(source):
             yield node
 
 
-@pytest.mark.parametrize("source", SOURCES, ids=lambda path: path.relative_to(PACKAGE).as_posix())
+@pytest.mark.parametrize("source", SOURCES, **IDS)
 def test_no_docstring_explains_what_is_no_argument(source):
     for function in public_functions(source):
         text = ast.get_docstring(function) or ""

@@ -5,7 +5,7 @@ from pathlib import Path
 from runpy import run_path
 
 import pytest
-from edited import SHIPPED, SIZE, Fault, blamed, drawn, judged, rendered
+from edited import BORDERED, CLAMPED, SHIPPED, SIZE, Fault, blamed, drawn, judged, rendered
 from opengl import needs_mesa
 
 from sss_ref.cli import main
@@ -26,9 +26,6 @@ FILTERED = """vec2 at = uv * vec2(textureSize(light_distance, 0)) - 0.5;
     float upper_left = texelFetch(light_distance, corner + ivec2(0, 1), 0).x;
     float upper_right = texelFetch(light_distance, corner + ivec2(1, 1), 0).x;
     float stored = mix(mix(lower_left, lower_right, t.x), mix(upper_left, upper_right, t.x), t.y);"""
-CLAMPED = "texelFetch(texture, ivec2(clamp(at.x, 0, last.x), clamp(at.y, 0, last.y)), 0).xyz"
-ON_MAP = "at.x >= 0 && at.y >= 0 && at.x <= last.x && at.y <= last.y"
-BORDERED = f"{ON_MAP} ? texelFetch(texture, at, 0).xyz : vec3(0.0, 0.0, 0.0)"
 PLACED = "gl_Position = vertex.clip_position;"
 HALF = {"#version 400 core": "#version 420 core"}  # the first with packHalf2x16
 

@@ -3,9 +3,8 @@
 from dataclasses import replace
 
 import pytest
-from edited import KEPT, Fault, blamed, judged, rendered
+from edited import BORDERED, CLAMPED, KEPT, Fault, blamed, judged, rendered
 from opengl import needs_mesa
-from test_faults import BORDERED, CLAMPED
 
 from sss_ref.gl import draw
 from sss_ref.passes.texture_image import gloss_where_lit

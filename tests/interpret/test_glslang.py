@@ -5,10 +5,11 @@ import shutil
 import subprocess
 
 import pytest
+from alternatives import alternatives
 from scenes import settings_with
-from test_structure import STAGES, alternatives
 
 from sss_ref.interpret.shader import DIALECTS, shader_files
+from sss_ref.methods.stages import all_stages
 from sss_ref.scene.catalogue import METHODS, method_of
 from sss_ref.scene_file import settings
 
@@ -59,7 +60,7 @@ def shaders(dialect):
 
 def test_every_stage_is_in_some_shader(shaders):
     sources = "".join(source for _, source in shaders)
-    assert [name for name in STAGES if f" {name}(" not in sources] == []
+    assert [name for name in all_stages() if f" {name}(" not in sources] == []
 
 
 @pytest.mark.skipif(VALIDATOR is None, reason="glslangValidator is not installed (Debian: glslang-tools)")

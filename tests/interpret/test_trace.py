@@ -1,44 +1,18 @@
 """The trace of a stage: its lines, the calls in them, and the bits of the array interpreter."""
 
-from typing import NamedTuple
-
 import numpy as np
 import pytest
 from fragments import random_inputs
-from one_stage import run, stages_by_module
+from one_stage import run
+from stage_cases import FRAGMENT_STAGES
+from traced import inputs_at, summed
 
 from sss_ref.interpret import arrays
 from sss_ref.interpret.trace import Step, trace
-from sss_ref.interpret.work import buffer_value, uniform_value
-from sss_ref.language import Array, constant, function, pow, select, stage, vec2
-from sss_ref.language.pipeline import CLIP_POSITION, PIXEL
-from sss_ref.language.types import Vector, components, ivec2
+from sss_ref.language import Array, vec2
+from sss_ref.language.types import components
 
 F = np.float32
-THIRD = constant(1 / 3)
-STAGES = [s for stages in stages_by_module().values() for s in stages if CLIP_POSITION not in s.outputs]
-
-
-class Sum(NamedTuple):
-    total: float
-    flag: bool
-
-
-@function
-def twice(v: float) -> float:
-    """V + v."""
-    doubled = v + v
-    return doubled
-
-
-@stage(source="test")
-def summed(start: float, offset: vec2, numbers: Array[float], count: int) -> Sum:
-    """A loop with a call in it."""
-    total = start
-    for k in range(0, count):
-        total = total + twice(numbers[k]) * offset.y
-    scaled = select(total > 2.0, pow(total, 2.0), -total) * THIRD
-    return Sum(scaled, total != 0.0)
 
 
 def line(step):
@@ -67,25 +41,7 @@ def test_lines_calls_and_turns():
     assert [line(step) for step in steps[3:]] == [("total", "scaled", results["total"]), ("flag", "total != 0.0", True)]
 
 
-def scalar(value):
-    if isinstance(value, Vector):
-        return type(value)(*map(scalar, value))
-    return value[0] if isinstance(value, np.ndarray) else value
-
-
-def inputs_at(stage_, inputs, row, column):
-    """What a stage reads at one pixel, as scalars."""
-    at = np.array([row]), np.array([column])
-    for name, kind in stage_.parameters.items():
-        if name == PIXEL:
-            yield ivec2(np.int32(column), np.int32(row))
-        elif name in inputs.buffers:
-            yield scalar(buffer_value(kind, inputs.buffers[name], *at))
-        else:
-            yield uniform_value(kind, inputs.uniforms[name])
-
-
-@pytest.mark.parametrize("stage_", STAGES, ids=lambda s: s.name)
+@pytest.mark.parametrize("stage_", FRAGMENT_STAGES, ids=lambda s: s.name)
 def test_values_have_the_bits_of_array_code(stage_):
     inputs = random_inputs(np.random.default_rng(5), 12, 8)
     expected = run(arrays, stage_, inputs)

@@ -7,89 +7,17 @@ from itertools import product
 from pathlib import Path
 
 import gmpy2
-import numba
 import numpy as np
 import pytest
+from elementary_proof import MPFR, NAMES, array_form, misrounded, mpfr, sample, scalar_form, thickness_stride
 
-from sss_ref.numerics import elementary, scalar
+from sss_ref.numerics import elementary
 
-FLOAT32 = gmpy2.context(precision=24, emin=-148, emax=128, subnormalize=True)
 HIGH_PRECISION = gmpy2.context(precision=200)
-MPFR = {"pow": lambda x, y: x**y, "exp2": gmpy2.exp2, "log2": gmpy2.log2, "exp": gmpy2.exp}
-NAMES = tuple(MPFR)
 UNIT = 2.0**-53
 INF, NAN = math.inf, math.nan
 LEAST = 2.0**-149
 ENVIRONMENT = {**os.environ, "PYTHONPATH": str(Path(elementary.__file__).parents[2])}
-
-
-def array_form(name, *arguments):
-    return getattr(elementary, f"{name}_array")(*arguments)
-
-
-@numba.njit(error_model="numpy")
-def each(function, x, result):
-    for i in range(x.size):
-        result[i] = function(x[i])
-
-
-@numba.njit(error_model="numpy")
-def each_pair(function, x, y, result):
-    for i in range(x.size):
-        result[i] = function(x[i], y[i])
-
-
-def scalar_form(name, *arguments):
-    """The compiled scalar function, applied to every element."""
-    result = np.empty_like(arguments[0])
-    (each_pair if name == "pow" else each)(getattr(scalar, f"{name}_scalar"), *arguments, result)
-    return result
-
-
-def mpfr(name, *arguments):
-    """The function by MPFR: 24 bits, the exponents of float32, subnormals, ties to even."""
-    with FLOAT32:
-        return np.array(
-            [
-                float(MPFR[name](*map(gmpy2.mpfr, values)))
-                for values in zip(*(a.tolist() for a in arguments), strict=True)
-            ],
-            np.float32,
-        )
-
-
-def sample(name, count, seed):
-    """Arguments that reach overflow, subnormals and the neighbourhood of 1."""
-    rng = np.random.default_rng(seed)
-    if name == "pow":
-        near_one = 1.0 + rng.standard_normal(count // 4) * np.exp2(rng.uniform(-23.0, -3.0, count // 4))
-        x = np.concatenate([np.exp2(rng.uniform(-149.0, 128.0, count - near_one.size)), near_one]).astype(np.float32)
-        result_log2 = rng.uniform(-152.0, 129.0, count)
-        with np.errstate(all="ignore"):
-            y = np.where(x == 1.0, 1.0, result_log2 / np.log2(x.astype(np.float64)))
-        return np.abs(x), y.astype(np.float32)
-    if name == "log2":
-        near_one = 1.0 + rng.uniform(-0.3, 0.4, count // 2)
-        return (
-            np.concatenate([np.exp2(rng.uniform(-149.0, 128.0, count - near_one.size)), near_one]).astype(np.float32),
-        )
-    small = rng.choice([-1.0, 1.0], count // 4) * np.exp2(rng.uniform(-30.0, 0.0, count // 4))
-    spread = rng.uniform(-152.0, 129.0, count - small.size) * (1.0 if name == "exp2" else math.log(2.0))
-    return (np.concatenate([spread, small]).astype(np.float32),)
-
-
-def thickness_stride(first, step):
-    """Every step-th float32 of the three binades [1/2, 4), the thicknesses of the paper's d^0.6."""
-    start, stop = (int(np.float32(v).view(np.int32)) for v in (0.5, 4.0))
-    x = np.arange(start + first, stop, step, dtype=np.int32).view(np.float32)
-    return x, np.full_like(x, 0.6)
-
-
-def misrounded(name, *arguments):
-    """How many results of either form differ from MPFR."""
-    wanted = mpfr(name, *arguments)
-    by_array, by_scalar = array_form(name, *arguments), scalar_form(name, *arguments)
-    return int(np.count_nonzero((by_array != wanted) | (by_scalar != wanted)))
 
 
 @pytest.mark.parametrize(("name", "count"), [("pow", 200_000), ("exp2", 100_000), ("log2", 100_000), ("exp", 100_000)])
@@ -192,13 +120,14 @@ def test_plain_python_has_the_same_bits(tmp_path):
     for name in NAMES:
         np.save(tmp_path / f"{name}.npy", np.stack(arguments[name]))
     program = (
-        "import sys, numpy, pathlib; sys.path.insert(0, sys.argv[1]); import test_elementary as t\n"
+        "import sys, numpy, pathlib, elementary_proof as t\n"
         "assert t.numba.config.DISABLE_JIT and not hasattr(t.scalar.pow_scalar, 'py_func')\n"
-        "for path in list(pathlib.Path(sys.argv[2]).glob('*.npy')):\n"
+        "for path in list(pathlib.Path(sys.argv[1]).glob('*.npy')):\n"
         "    numpy.save(path, t.scalar_form(path.stem, *numpy.load(path)))\n"
     )
-    command = [sys.executable, "-W", "ignore", "-c", program, str(Path(__file__).parent), str(tmp_path)]
-    subprocess.run(command, check=True, env={**ENVIRONMENT, "NUMBA_DISABLE_JIT": "1"})
+    command = [sys.executable, "-W", "ignore", "-c", program, str(tmp_path)]
+    environment = {**os.environ, "NUMBA_DISABLE_JIT": "1", "PYTHONPATH": os.pathsep.join(sys.path)}
+    subprocess.run(command, check=True, env=environment)
     for name in NAMES:
         plain = np.load(tmp_path / f"{name}.npy")
         assert plain.tobytes() == scalar_form(name, *arguments[name]).tobytes()

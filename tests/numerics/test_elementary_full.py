@@ -5,7 +5,7 @@ from concurrent.futures import ProcessPoolExecutor
 
 import numpy as np
 import pytest
-from test_elementary import NAMES, array_form, misrounded, mpfr, sample, thickness_stride
+from elementary_proof import NAMES, array_form, misrounded, mpfr, sample, thickness_stride
 
 from sss_ref.numerics import elementary
 

@@ -1,40 +1,26 @@
 """Every stage of the package, on random and degenerate fragments: naive loop, array code and kernel give one result."""
 
-from dataclasses import replace
-from importlib import import_module
+import ast
+from pathlib import Path
 from types import FunctionType
 
 import naive_published
 import naive_stages
 import numpy as np
 import pytest
-from fragments import VARIANTS, random_inputs
-from one_stage import assert_same_bits, run, run_naively, stages_by_module
+from one_stage import assert_same_bits, run, run_naively
+from stage_cases import CASES, FRAGMENT_STAGES, inputs_of
 
 from sss_ref.interpret import arrays
 from sss_ref.interpret.kernel import loops as kernel
-from sss_ref.language.pipeline import CLIP_POSITION
+from sss_ref.methods.stages import all_stages
 
-MODULES = stages_by_module()
-STAGES = {stage.name: stage for stages in MODULES.values() for stage in stages}
-FRAGMENT_STAGES = [stage for stage in STAGES.values() if CLIP_POSITION not in stage.outputs]
 NAIVE = {
     name: value
     for module in (naive_stages, naive_published)
     for name, value in vars(module).items()
     if isinstance(value, FunctionType) and value.__module__ == module.__name__ and not name.startswith("_")
 }
-CASES = [
-    pytest.param(stage, overrides, size, seed, id=f"{stage.name}-{number}-{size[0]}x{size[1]}-seed{seed}")
-    for stage in FRAGMENT_STAGES
-    for number, overrides in enumerate([{}, *VARIANTS.get(stage.name, [])])
-    for size, seed in (((24, 16), 1), ((1, 1), 2))
-]
-
-
-def inputs_of(overrides, size, seed):
-    inputs = random_inputs(np.random.default_rng(seed), *size)
-    return replace(inputs, uniforms={**inputs.uniforms, **overrides})
 
 
 @pytest.mark.parametrize(("stage", "overrides", "size", "seed"), CASES)
@@ -60,9 +46,12 @@ def test_fragments_decide_both_ways(stage):
 
 
 def test_every_stage_has_its_naive_namesake():
-    assert set(NAIVE) == set(STAGES)
+    assert set(NAIVE) == set(all_stages())
 
 
-@pytest.mark.parametrize(("module", "stage"), [(module, s.name) for module, stages in MODULES.items() for s in stages])
-def test_every_stage_is_worked_by_hand(module, stage):
-    assert hasattr(import_module(f"test_{module}"), f"test_{stage}")
+@pytest.mark.parametrize("stage", all_stages().values(), ids=lambda stage: stage.name)
+def test_every_stage_is_worked_by_hand(stage):
+    """In the test file that lies as the stage's module does."""
+    _, *rooms, module = stage.python.__module__.split(".")
+    tests = Path(__file__).parents[1].joinpath(*rooms, f"test_{module}.py")
+    assert f"test_{stage.name}" in {node.name for node in ast.parse(tests.read_text()).body if hasattr(node, "name")}

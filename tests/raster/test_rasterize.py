@@ -1,4 +1,3 @@
-import hashlib
 import os
 import subprocess
 import sys
@@ -6,10 +5,9 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
-from raster_proof import assert_same_bits, check_scene
+from raster_proof import assert_same_bits, check_scene, digest
 from soups import soup
 
-from sss_ref.raster.interpolate import interpolate_arrays
 from sss_ref.raster.primitives import assemble
 from sss_ref.raster.rasterize import visibility
 from sss_ref.raster.viewport import Viewport
@@ -112,19 +110,9 @@ def test_equals_the_naive_rasterizer_in_odd_pictures(viewport):
     assert counts["fragments"] > 300
 
 
-def digest():
-    """A hash of everything the rasterizer computes for a small scene."""
-    viewport = Viewport(16, 40)
-    primitives = assemble(*soup(8, 60, viewport), viewport)
-    piece, depth = visibility(primitives, viewport, None)
-    row, column = np.nonzero(piece >= 0)
-    values = interpolate_arrays(primitives, piece[row, column], column, row, viewport.step)
-    return hashlib.sha256(b"".join(array.tobytes() for array in (piece, depth, values, *primitives))).hexdigest()
-
-
 def test_the_same_bits_without_the_compiler():
     environment = {**os.environ, "NUMBA_DISABLE_JIT": "1", "PYTHONPATH": os.pathsep.join(sys.path)}
-    program = "from test_rasterize import digest; print(digest())"
+    program = "from raster_proof import digest; print(digest())"
     command = [sys.executable, "-W", "error::RuntimeWarning", "-c", program]
     finished = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
     assert finished.stdout.strip() == digest()

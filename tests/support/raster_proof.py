@@ -1,14 +1,17 @@
 """The comparison of the package with the naive rasterizer, scene by scene and in every bit."""
 
+import hashlib
 from collections import Counter
 
 import naive_raster
 import numba
 import numpy as np
+from soups import soup
 
 from sss_ref.raster.interpolate import barycentric, interpolate_arrays
 from sss_ref.raster.primitives import assemble
 from sss_ref.raster.rasterize import visibility
+from sss_ref.raster.viewport import Viewport
 
 
 def assert_same_bits(actual, expected):
@@ -99,3 +102,13 @@ def check_scene(scene, viewport):
     counts = Counter(triangles=len(drawn), fragments=len(fragments), on_edge=sum(each.on_edge for each in drawn))
     counts.update(plane for each in drawn for plane in each.planes)
     return counts
+
+
+def digest():
+    """A hash of everything the rasterizer computes for a small scene."""
+    viewport = Viewport(16, 40)
+    primitives = assemble(*soup(8, 60, viewport), viewport)
+    piece, depth = visibility(primitives, viewport, None)
+    row, column = np.nonzero(piece >= 0)
+    values = interpolate_arrays(primitives, piece[row, column], column, row, viewport.step)
+    return hashlib.sha256(b"".join(array.tobytes() for array in (piece, depth, values, *primitives))).hexdigest()

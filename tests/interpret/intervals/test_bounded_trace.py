@@ -5,7 +5,8 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 from fragments import random_inputs
-from test_trace import STAGES, inputs_at, summed
+from stage_cases import FRAGMENT_STAGES
+from traced import inputs_at, summed
 
 from sss_ref.interpret.intervals.bounded_trace import bounds_of, with_bounds
 from sss_ref.interpret.intervals.evaluate import run_intervals
@@ -44,19 +45,19 @@ def parts(step):
 
 
 @pytest.mark.parametrize("profile", ["vulkan", "gl", "mediump"])
-@pytest.mark.parametrize("stage_", STAGES, ids=lambda s: s.name)
+@pytest.mark.parametrize("stage_", FRAGMENT_STAGES, ids=lambda s: s.name)
 def test_the_oracles_lines_lie_inside(stage_, profile):
     for _, steps in traced(stage_, profile):
         assert all(low <= value <= high for step in told(steps) for value, low, high in parts(step))
 
 
-@pytest.mark.parametrize("stage_", STAGES, ids=lambda s: s.name)
+@pytest.mark.parametrize("stage_", FRAGMENT_STAGES, ids=lambda s: s.name)
 def test_ieee_leaves_one_value_to_every_line(stage_):
     for _, steps in traced(stage_, "ieee"):
         assert all(low == value == high for step in told(steps) for value, low, high in parts(step))
 
 
-@pytest.mark.parametrize("stage_", STAGES, ids=lambda s: s.name)
+@pytest.mark.parametrize("stage_", FRAGMENT_STAGES, ids=lambda s: s.name)
 def test_the_last_lines_are_as_wide_as_the_results(stage_):
     for own, steps in traced(stage_, "vulkan"):
         results = run_intervals(stage_, own, PROFILES["vulkan"])

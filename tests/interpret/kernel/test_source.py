@@ -3,36 +3,15 @@ import subprocess
 import sys
 
 import pytest
-from scenes import settings_with
+from kernel_sources import passes, sources
 
-from sss_ref.interpret.kernel.source import fragment_source, vertex_source
-from sss_ref.language.pipeline import MeshDraw
-from sss_ref.scene.catalogue import method_of
+from sss_ref.interpret.kernel.source import fragment_source
 
 PRINT_SOURCES = """
 import hashlib
-from test_source import sources
+from kernel_sources import sources
 print(hashlib.sha256("".join(sources("robust")).encode()).hexdigest())
 """
-
-
-def passes(preset="robust"):
-    return {one.name: one for one in method_of(settings_with({"preset": preset})).passes}
-
-
-def sources(preset):
-    """The modules of all passes of a preset, everything kept."""
-    written, there = [], set()
-    for one in passes(preset).values():
-        varyings = {}
-        if isinstance(one.draw, MeshDraw):
-            varyings = {name: 3 * k for k, name in enumerate(one.draw.varyings)}
-            written.append(vertex_source(one, varyings))
-        by_stages = [name for name in one.outputs if name not in ("depth", "light_depth")]  # the rasterizer's
-        written.append(fragment_source(one, there, by_stages, varyings))
-        there |= set(one.outputs)
-    assert len(written) > 5
-    return written
 
 
 def camera_source(*wanted):
@@ -44,7 +23,7 @@ def camera_source(*wanted):
 
 def test_the_source_does_not_depend_on_the_order_of_sets():
     """A source that changed between processes would be compiled again in each of them."""
-    paths = os.pathsep.join([*sys.path, os.path.dirname(__file__)])
+    paths = os.pathsep.join(sys.path)
     printed = [
         subprocess.run(
             [sys.executable, "-c", PRINT_SOURCES],

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from one_stage import assert_same_bits, run
 from opengl import needs_mesa
-from test_stages import CASES
-from test_stages import inputs_of as random_fragments
+from stage_cases import CASES, inputs_of
 
 from sss_ref.gl.canvas import Canvas
 from sss_ref.gl.context import open_context
@@ -55,7 +54,7 @@ def opengl():
 
 @pytest.mark.parametrize(("stage", "overrides", "size", "seed"), CASES)
 def test_a_stage_gives_the_bits_of_array_code(opengl, stage, overrides, size, seed):
-    inputs = random_fragments(overrides, size, seed)
+    inputs = inputs_of(overrides, size, seed)
     expected, got = run(arrays, stage, inputs), run(opengl, stage, inputs)
     if stage.name not in WITH_POWERS:
         assert_same_bits(got, expected)

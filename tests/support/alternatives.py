@@ -1,0 +1,40 @@
+"""Every method that a scene file can select."""
+
+from functools import cache
+from itertools import product
+from typing import get_args
+
+from scenes import settings_with
+
+from sss_ref.scene.catalogue import METHODS, method_of
+from sss_ref.scene_file import settings, viewpoints
+from sss_ref.scene_file.presets import FIXED, ONLY_PUBLISHED
+
+
+def alternatives(table, key):
+    """The values of a key, but for those that only preset `published` has."""
+    only_published = {FIXED[each] for each in ONLY_PUBLISHED}
+    return [value for value in get_args(table.model_fields[key].annotation) if value not in only_published]
+
+
+@cache
+def all_methods():
+    """The methods of every combination of alternatives, of three lights and of preset `published`."""
+    choices = {
+        "method": METHODS,
+        "mesh.color": ((0.7, 0.4, 0.4), "material"),
+        "mesh.texture": (None, "any.png"),
+        "shadow_map.filter": alternatives(settings.ShadowMap, "filter"),
+        "shadow_map.test": alternatives(settings.ShadowMap, "test"),
+        "translucency.form": alternatives(settings.Translucency, "form"),
+        "translucency.combine": alternatives(settings.Translucency, "combine"),
+        "blur.mask": alternatives(settings.Blur, "mask"),
+        "lights.0.falloff": alternatives(viewpoints.LightSettings, "falloff"),
+        "irradiance_map.mode": alternatives(settings.IrradianceMap, "mode"),
+        "irradiance_map.image": alternatives(settings.IrradianceMap, "image"),
+    }
+    cases = [dict(zip(choices, values, strict=True)) for values in product(*choices.values())]
+    for method in METHODS:
+        cases.append({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * 3})
+        cases.append({"method": method, "preset": "published"})
+    return [method_of(settings_with(case)) for case in cases]
