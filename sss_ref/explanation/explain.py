@@ -143,7 +143,7 @@ def _inputs(rendering: Rendering, one: Pass, fragments: Fragments) -> Mapping[st
 
 def _stages(work: Work, at: tuple[np.ndarray, np.ndarray], values: dict[str, Any]) -> Iterator[StageTrace]:
     """Trace the stages one after the other; `values` gets what they write."""
-    for stage in work.one.stages:
+    for stage in work.this_pass.stages:
         kinds = stage.parameters.items()
         inputs = [scalar(stage_input(work, values, stage.reads[own], kind, at)) for own, kind in kinds]
         steps, writes = trace(stage, inputs)
@@ -153,7 +153,7 @@ def _stages(work: Work, at: tuple[np.ndarray, np.ndarray], values: dict[str, Any
 
 def _drawn(rendering: Rendering, work: Work, pixel: tuple[int, int], values: Mapping[str, Any]) -> Drawn:
     """The triangle under a pixel, its corners, and what is interpolated between them."""
-    draw, fragments = work.one.draw, work.fragments
+    draw, fragments = work.this_pass.draw, work.fragments
     assert isinstance(draw, MeshDraw) and fragments.piece is not None and fragments.primitives is not None
     (column, row), primitives = pixel, fragments.primitives
     piece = fragments.piece[row, column]

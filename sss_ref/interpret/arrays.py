@@ -16,15 +16,19 @@ CHUNK = 1 << 16  # fragments at a time, so that the temporaries stay in the cach
 
 
 def run_vertices(
-    one: Pass, mesh: Mapping[str, np.ndarray], uniforms: Mapping[str, Any], varyings: Mapping[str, int], columns: int
+    this_pass: Pass,
+    mesh: Mapping[str, np.ndarray],
+    uniforms: Mapping[str, Any],
+    varyings: Mapping[str, int],
+    columns: int,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Run the vertex stage of a pass: clip positions float32 (V, 4) and the wanted varyings, float32 (V, columns).
 
     mesh: vertex attribute -> float32 (V, C). uniforms: with the textures that the stage reads, as in `Work`.
     varyings: name -> first column.
     """
-    assert isinstance(one.draw, MeshDraw)
-    stage, inputs = one.draw.vertex, []
+    assert isinstance(this_pass.draw, MeshDraw)
+    stage, inputs = this_pass.draw.vertex, []
     for own, kind in stage.parameters.items():
         raw = mesh[own] if own in MESH_ATTRIBUTES else uniforms[stage.reads[own]]
         inputs.append(kind(*raw.T) if own in MESH_ATTRIBUTES else uniform_value(kind, raw))
@@ -68,7 +72,7 @@ def run_stages(
     work: Work, rows: np.ndarray, columns: np.ndarray, values: dict[str, Any]
 ) -> Iterator[tuple[Stage, list[Any], dict[str, Any]]]:
     """Run the stages one by one, adding to `values`; after each, the stage, its inputs in order, and what it gave."""
-    for stage in work.one.stages:
+    for stage in work.this_pass.stages:
         kinds = stage.parameters.items()
         inputs = [stage_input(work, values, stage.reads[own], kind, (rows, columns)) for own, kind in kinds]
         results = stage.run(inputs)
@@ -89,7 +93,7 @@ def draw_values(work: Work, rows: np.ndarray, columns: np.ndarray) -> dict[str, 
     """What a draw gives each fragment: its pixel, the interpolated varyings, and what the rasterizer wrote."""
     pixel = ivec2(columns.astype(np.int32), rows.astype(np.int32))
     values: dict[str, Any] = {PIXEL: pixel}
-    draw, fragments = work.one.draw, work.fragments
+    draw, fragments = work.this_pass.draw, work.fragments
     if not isinstance(draw, MeshDraw) or fragments.primitives is None or fragments.piece is None:
         return values
     pieces = fragments.piece[rows, columns]

@@ -48,7 +48,7 @@ def _message(work: Work, name: str, row: int, column: int) -> str:
             named = zip(stage.reads.values(), inputs, strict=True)
             listed = ", ".join(f"{read} = {_shown(value)}" for read, value in named if _shown(value))
             return f"stage {stage.name}, pixel {column},{row}: result is not finite; inputs: {listed}"
-    return f"pass {work.one.name}, pixel {column},{row}: buffer {name} is not finite"
+    return f"pass {work.this_pass.name}, pixel {column},{row}: buffer {name} is not finite"
 
 
 def _shown(value: Any) -> str:

@@ -50,7 +50,7 @@ class Work:
     outputs: name -> array to fill completely, background included; backgrounds: name -> one value per channel.
     """
 
-    one: Pass
+    this_pass: Pass
     fragments: Fragments
     uniforms: Mapping[str, Any]
     buffers: Mapping[str, np.ndarray]

@@ -33,10 +33,10 @@ class OpenGL:
         self.context = open_context()
 
     def run_fragments(self, work, pool):
-        canvas, kinds = Canvas(self.context, work.uniforms), work.one.outputs
+        canvas, kinds = Canvas(self.context, work.uniforms), work.this_pass.outputs
         read = {name: uploaded(self.context, buffer) for name, buffer in work.buffers.items()}
         size = (work.fragments.width, work.fragments.height)
-        for pair in own_shaders(work.one, work.buffers, work.outputs, canvas.lengths):
+        for pair in own_shaders(work.this_pass, work.buffers, work.outputs, canvas.lengths):
             program = pair.compiled(self.context)
             canvas.hand_over(program, read, pair.name)
             textures = {name: filled(self.context, kinds[name], size, 77) for name in pair.outputs}

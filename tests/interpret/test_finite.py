@@ -80,7 +80,7 @@ def test_every_value_is_looked_at_by_every_thread(at, bad):
     with ThreadPoolExecutor(2) as pool:
         for threads in (None, pool):
             with pytest.raises(RenderError):
-                require_finite(dataclasses.replace(work, one=Pass("none", "camera", ScreenDraw(), ())), threads)
+                require_finite(dataclasses.replace(work, this_pass=Pass("none", "camera", ScreenDraw(), ())), threads)
 
 
 def test_integers_are_never_taken_for_floats():

@@ -16,11 +16,11 @@ NUMBER = re.compile(r"_\d+$")
 
 def canonical_work(work: Work) -> Work:
     """The same work, and the same arrays, under the canonical names of its pass."""
-    rename = canonical_names(work.one)
-    reads = work.one.reads
+    rename = canonical_names(work.this_pass)
+    reads = work.this_pass.reads
     return replace(
         work,
-        one=renamed(work.one, rename),
+        this_pass=renamed(work.this_pass, rename),
         uniforms={rename(name): work.uniforms[name] for name in reads if name not in work.buffers},
         buffers={rename(name): work.buffers[name] for name in reads if name in work.buffers},
         outputs={rename(name): buffer for name, buffer in work.outputs.items()},
@@ -28,18 +28,23 @@ def canonical_work(work: Work) -> Work:
     )
 
 
-def canonical_names(one: Pass) -> Callable[[str], str]:
+def canonical_names(this_pass: Pass) -> Callable[[str], str]:
     """The renaming that drops the number of a pass's names if all have the same one and none is taken without it."""
-    names = {one.name, *one.reads, *one.values}
+    names = {this_pass.name, *this_pass.reads, *this_pass.values}
     numbers = {number for name in names for number in NUMBER.findall(name)}
     shared = numbers.pop() if len(numbers) == 1 else ""
     taken = any(name + shared in names for name in names)
     return lambda name: name if taken else name.removesuffix(shared)
 
 
-def renamed(one: Pass, rename: Callable[[str], str]) -> Pass:
+def renamed(this_pass: Pass, rename: Callable[[str], str]) -> Pass:
     """The pass with every name that its source mentions replaced."""
-    draw = one.draw
+    draw = this_pass.draw
     if isinstance(draw, MeshDraw):
         draw = replace(draw, vertex=draw.vertex.renamed(rename), triangle=rename(draw.triangle))
-    return replace(one, name=rename(one.name), draw=draw, stages=tuple(stage.renamed(rename) for stage in one.stages))
+    return replace(
+        this_pass,
+        name=rename(this_pass.name),
+        draw=draw,
+        stages=tuple(stage.renamed(rename) for stage in this_pass.stages),
+    )

@@ -28,21 +28,25 @@ BAND = 32  # rows a task
 
 
 def run_vertices(
-    one: Pass, mesh: Mapping[str, np.ndarray], uniforms: Mapping[str, Any], varyings: Mapping[str, int], columns: int
+    this_pass: Pass,
+    mesh: Mapping[str, np.ndarray],
+    uniforms: Mapping[str, Any],
+    varyings: Mapping[str, int],
+    columns: int,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Run the vertex stage of a pass: clip positions float32 (V, 4) and the wanted varyings, float32 (V, columns).
 
     mesh: vertex attribute -> float32 (V, C). uniforms: with the textures that the stage reads, as in `Work`.
     varyings: name -> first column.
     """
-    assert isinstance(one.draw, MeshDraw)
+    assert isinstance(this_pass.draw, MeshDraw)
     count = len(mesh["position"])
     clip_position = np.empty((count, 4), FLOAT32)
     attributes = np.empty((count, columns), FLOAT32)
-    reads = vertex_reads(one.draw)
+    reads = vertex_reads(this_pass.draw)
     loosely = [(mesh if name in MESH_ATTRIBUTES else uniforms)[name] for name in loose(reads, MESH_ATTRIBUTES)]
     given = [_pack(reads, MESH_ATTRIBUTES, uniforms), *loosely]
-    canonical = renamed(one, canonical_names(one))
+    canonical = renamed(this_pass, canonical_names(this_pass))
     module = _imported(vertex_source(canonical, varyings), f"{canonical.name}_vertices")
     module.vertices(*given, clip_position, attributes)
     return clip_position, attributes
@@ -51,15 +55,15 @@ def run_vertices(
 def run_fragments(work: Work, pool: Executor | None) -> None:
     """Run the stages of a pass on all its fragments and fill its outputs, by bands of rows over the pool."""
     work = canonical_work(work)
-    fragments, one = work.fragments, work.one
-    source = fragment_source(one, work.buffers, work.outputs, fragments.varyings)
-    module = _imported(source, f"{one.name}_fragments")
+    fragments, this_pass = work.fragments, work.this_pass
+    source = fragment_source(this_pass, work.buffers, work.outputs, fragments.varyings)
+    module = _imported(source, f"{this_pass.name}_fragments")
     mesh = [fragments.piece, fragments.primitives, fragments.step] if fragments.piece is not None else []
     rectangle = [] if fragments.stencil is None else [fragments.stencil]
     loosely = [
-        (work.buffers if name in work.buffers else work.uniforms)[name] for name in loose(one.reads, work.buffers)
+        (work.buffers if name in work.buffers else work.uniforms)[name] for name in loose(this_pass.reads, work.buffers)
     ]
-    given: list[Any] = [*mesh, *rectangle, _pack(one.reads, work.buffers, work.uniforms), *loosely]
+    given: list[Any] = [*mesh, *rectangle, _pack(this_pass.reads, work.buffers, work.uniforms), *loosely]
     given += [*work.outputs.values(), np.concatenate([work.backgrounds[name] for name in work.outputs], dtype=FLOAT32)]
 
     def band(first_row: int) -> None:

@@ -35,25 +35,27 @@ CORNERS = (
 INTERPOLATED = "((varying[a, {k}] * wa + varying[b, {k}] * wb) + varying[c, {k}] * wc) / weight"  # rule R5
 
 
-def vertex_source(one: Pass, varyings: Mapping[str, int]) -> str:
+def vertex_source(this_pass: Pass, varyings: Mapping[str, int]) -> str:
     """The source of the module with `vertices`; varyings: the wanted ones -> their first attribute column."""
-    assert isinstance(one.draw, MeshDraw)
+    assert isinstance(this_pass.draw, MeshDraw)
     lines = Lines(depth=2)
-    return _module(one, (one.draw.vertex,), vertex_function(one.draw, varyings, lines), lines)
+    return _module(this_pass, (this_pass.draw.vertex,), vertex_function(this_pass.draw, varyings, lines), lines)
 
 
-def fragment_source(one: Pass, buffers: Iterable[str], outputs: Iterable[str], varyings: Mapping[str, int]) -> str:
+def fragment_source(
+    this_pass: Pass, buffers: Iterable[str], outputs: Iterable[str], varyings: Mapping[str, int]
+) -> str:
     """The source of the module with `fragments`.
 
     buffers: the names it reads from earlier passes; outputs: those it is to fill; varyings: first attribute column.
     """
-    writer = _FragmentLoop(one, set(buffers), list(outputs), varyings)
-    return _module(one, one.stages, writer.function(), writer.lines)
+    writer = _FragmentLoop(this_pass, set(buffers), list(outputs), varyings)
+    return _module(this_pass, this_pass.stages, writer.function(), writer.lines)
 
 
-def _module(one: Pass, stages: Iterable[Stage], function: str, lines: Lines) -> str:
+def _module(this_pass: Pass, stages: Iterable[Stage], function: str, lines: Lines) -> str:
     constants = "".join(f"{name} = {value}\n" for name, value in sorted(lines.literals.items()))
-    header = HEADER.format(name=one.name, stages=", ".join(stage.name for stage in stages))
+    header = HEADER.format(name=this_pass.name, stages=", ".join(stage.name for stage in stages))
     return header + constants + "\n\n" + function
 
 
@@ -115,26 +117,26 @@ def vertex_function(draw: MeshDraw, varyings: Mapping[str, int], lines: Lines) -
 class _FragmentLoop:
     """Writes `fragments(row0, row1, width, the draw, uniforms and buffers, outputs, backgrounds)`."""
 
-    def __init__(self, one: Pass, buffers: set[str], outputs: list[str], varyings: Mapping[str, int]) -> None:
-        self.one, self.buffers, self.outputs, self.varyings = one, buffers, outputs, varyings
+    def __init__(self, this_pass: Pass, buffers: set[str], outputs: list[str], varyings: Mapping[str, int]) -> None:
+        self.this_pass, self.buffers, self.outputs, self.varyings = this_pass, buffers, outputs, varyings
         self.lines = Lines(depth=3)
         self.values: dict[str, Value] = {}
-        for taken in (*RESERVED, *CORNER_NAMES, *one.reads):
+        for taken in (*RESERVED, *CORNER_NAMES, *this_pass.reads):
             self.lines.fresh(taken)
 
     def function(self) -> str:
         """The whole function."""
-        self.values |= unpacked(self.one.reads, self.buffers, self.lines)
+        self.values |= unpacked(self.this_pass.reads, self.buffers, self.lines)
         self.values[PIXEL] = [Scalar("column", False, True), Scalar("row", False, True)]
-        draw = self.one.draw
+        draw = self.this_pass.draw
         if isinstance(draw, MeshDraw):
             self.interpolation(draw)
-        for stage in self.one.stages:
+        for stage in self.this_pass.stages:
             self.stage(stage)
         self.stores()
         rectangle = ["stencil"] if isinstance(draw, ScreenDraw) and draw.stencil else []
         given = ["piece", "primitives", "step"] if isinstance(draw, MeshDraw) else rectangle
-        taken = ["row0", "row1", "width", *given, "uniforms", *loose(self.one.reads, self.buffers)]
+        taken = ["row0", "row1", "width", *given, "uniforms", *loose(self.this_pass.reads, self.buffers)]
         filled = [f"out_{name}" for name in self.outputs]
         head = f"@compiled\ndef fragments({', '.join(taken + filled)}, background):\n"
         loop = [
@@ -148,9 +150,9 @@ class _FragmentLoop:
 
     def skip(self) -> list[str]:
         """Leave a pixel without fragment to the background."""
-        if isinstance(self.one.draw, MeshDraw):
+        if isinstance(self.this_pass.draw, MeshDraw):
             test = [INDENT * 3 + "here = piece[row, column]", INDENT * 3 + "if here < 0:"]
-        elif self.one.draw.stencil:
+        elif self.this_pass.draw.stencil:
             test = [INDENT * 3 + "if stencil[row, column] == 0:"]
         else:
             return []
@@ -163,7 +165,7 @@ class _FragmentLoop:
 
     def channels(self, name: str) -> list[str]:
         """The index after [row, column of each channel of a buffer."""
-        count = CHANNELS[self.one.values[name]]
+        count = CHANNELS[self.this_pass.values[name]]
         return [""] if count == 1 else [f", {channel}" for channel in range(count)]
 
     def interpolation(self, draw: MeshDraw) -> None:

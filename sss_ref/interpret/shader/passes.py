@@ -16,15 +16,15 @@ from sss_ref.language.types import ivec2, vec2, vec4
 LONGEST_ARRAY = 64  # elements; OpenGL 3.3 promises room for 1024 numbers in all
 
 
-def draws(one: Pass, wanted: Collection[str], most: int = GLSL.most_outputs) -> dict[str, tuple[str, ...]]:
+def draws(this_pass: Pass, wanted: Collection[str], most: int = GLSL.most_outputs) -> dict[str, tuple[str, ...]]:
     """The draws that fill the wanted buffers of a pass: name -> at most `most` buffers, in order.
 
     A draw has the name of its pass. Where there are several, each computes all that its own buffers need, and their
     names end in a number: camera_1, camera_2 ...
     """
-    names = [name for name in one.values if name in wanted]
+    names = [name for name in this_pass.values if name in wanted]
     parts = [tuple(names[first : first + most]) for first in range(0, len(names), most)]
-    return {f"{one.name}_{k}" if len(parts) > 1 else one.name: part for k, part in enumerate(parts, 1)}
+    return {f"{this_pass.name}_{k}" if len(parts) > 1 else this_pass.name: part for k, part in enumerate(parts, 1)}
 
 
 def shader_files(
@@ -37,11 +37,12 @@ def shader_files(
     """
     files: dict[str, str] = {}
     there: set[str] = set()
-    for one in method.passes:
-        files[f"{one.name}.vert"] = vertex_shader(one, lengths, dialect)
-        for name, outputs in draws(one, one.values if registers else one.outputs, dialect.most_outputs).items():
-            files[f"{name}.frag"] = fragment_shader(one, there, outputs, lengths, dialect)
-        there |= set(one.outputs)
+    for this_pass in method.passes:
+        files[f"{this_pass.name}.vert"] = vertex_shader(this_pass, lengths, dialect)
+        wanted = this_pass.values if registers else this_pass.outputs
+        for name, outputs in draws(this_pass, wanted, dialect.most_outputs).items():
+            files[f"{name}.frag"] = fragment_shader(this_pass, there, outputs, lengths, dialect)
+        there |= set(this_pass.outputs)
     return files
 
 
@@ -50,9 +51,10 @@ def array_lengths(uniforms: Mapping[str, Any]) -> dict[str, int]:
     return {name: len(value) for name, value in uniforms.items() if np.ndim(value) and len(value) <= LONGEST_ARRAY}
 
 
-def vertex_shader(one: Pass, lengths: Mapping[str, int], dialect: Dialect = GLSL) -> str:
+def vertex_shader(this_pass: Pass, lengths: Mapping[str, int], dialect: Dialect = GLSL) -> str:
     """The vertex shader of a pass; lengths: uniform array -> its length (an array that is not listed: a texture)."""
-    about, mesh, library = f"Vertex shader of pass {one.name}, from the stages of sss_ref.", one.draw, Library(dialect)
+    about = f"Vertex shader of pass {this_pass.name}, from the stages of sss_ref."
+    mesh, library = this_pass.draw, Library(dialect)
     if isinstance(mesh, ScreenDraw):
         return dialect.vertex(Parts(about, [], [], {}, "", _rectangle(dialect), mesh=False), dialect)
     stage = mesh.vertex
@@ -72,7 +74,7 @@ def vertex_shader(one: Pass, lengths: Mapping[str, int], dialect: Dialect = GLSL
 
 
 def fragment_shader(
-    one: Pass,
+    this_pass: Pass,
     buffers: Collection[str],
     outputs: Collection[str],
     lengths: Mapping[str, int],
@@ -82,21 +84,21 @@ def fragment_shader(
 
     buffers: the names it reads from earlier passes. lengths: uniform array -> its length (of others: a texture).
     """
-    one, library = one.only(set(outputs)), Library(dialect)
-    for stage in one.stages:
+    this_pass, library = this_pass.only(set(outputs)), Library(dialect)
+    for stage in this_pass.stages:
         library.stage(stage, lengths)
-    read = {name for stage in one.stages for name in stage.reads.values()}
-    reads = Reads.of(one.stages, {*one.values, *one.draw.varyings, PIXEL}, buffers)
-    reads.textures |= dict.fromkeys(_stencil(one), bool)
+    read = {name for stage in this_pass.stages for name in stage.reads.values()}
+    reads = Reads.of(this_pass.stages, {*this_pass.values, *this_pass.draw.varyings, PIXEL}, buffers)
+    reads.textures |= dict.fromkeys(_stencil(this_pass), bool)
     parts = Parts(
-        about=f"Fragment shader of pass {one.name}, from the stages of sss_ref. Writes {', '.join(outputs)}.",
+        about=f"Fragment shader of pass {this_pass.name}, from the stages of sss_ref. Writes {', '.join(outputs)}.",
         textures=reads.declared_textures(lengths, dialect),
         uniforms=reads.declared_uniforms(lengths, dialect),
-        varyings=one.draw.varyings,
+        varyings=this_pass.draw.varyings,
         definitions=library.text,
-        lines=_fragment_lines(one, outputs, reads, dialect),
-        mesh=isinstance(one.draw, MeshDraw),
-        outputs={name: one.values[name] for name in outputs},
+        lines=_fragment_lines(this_pass, outputs, reads, dialect),
+        mesh=isinstance(this_pass.draw, MeshDraw),
+        outputs={name: this_pass.values[name] for name in outputs},
         read=read,
     )
     return dialect.fragment(parts, dialect)
@@ -120,33 +122,33 @@ def _vertex_lines(stage: Stage, dialect: Dialect) -> list[str]:
     return lines
 
 
-def _fragment_lines(one: Pass, outputs: Collection[str], reads: Reads, dialect: Dialect) -> list[str]:
+def _fragment_lines(this_pass: Pass, outputs: Collection[str], reads: Reads, dialect: Dialect) -> list[str]:
     """Fetch what stands at the pixel, call the stages in order, write the outputs."""
-    read, stencil = {name for stage in one.stages for name in stage.reads.values()}, _stencil(one)
+    read, stencil = {name for stage in this_pass.stages for name in stage.reads.values()}, _stencil(this_pass)
     at_pixel = stencil or reads.here or PIXEL in read
     used = read | set(outputs)
     return [
         *([f"{dialect.declared(ivec2, PIXEL)} = {dialect.given[PIXEL]};"] if at_pixel else []),
         *(f"if (!({dialect.fetched(bool, dialect.name(name), PIXEL)})) discard;" for name in stencil),
         *reads.fetches(dialect),
-        *_rasterized(one, used, dialect),
-        *(line for stage in one.stages for line in _call(stage, reads, used, dialect)),
-        *(f"{OUT}{name} = {_stored(one.values[name], dialect.name(name))};" for name in outputs),
+        *_rasterized(this_pass, used, dialect),
+        *(line for stage in this_pass.stages for line in _call(stage, reads, used, dialect)),
+        *(f"{OUT}{name} = {_stored(this_pass.values[name], dialect.name(name))};" for name in outputs),
     ]
 
 
-def _stencil(one: Pass) -> list[str]:
+def _stencil(this_pass: Pass) -> list[str]:
     """The buffer that limits a rectangle, if there is one."""
-    return [one.draw.stencil] if isinstance(one.draw, ScreenDraw) and one.draw.stencil else []
+    return [this_pass.draw.stencil] if isinstance(this_pass.draw, ScreenDraw) and this_pass.draw.stencil else []
 
 
-def _rasterized(one: Pass, used: set[str], dialect: Dialect) -> list[str]:
+def _rasterized(this_pass: Pass, used: set[str], dialect: Dialect) -> list[str]:
     """What the rasterizer gives each fragment, by the pass's names."""
-    if not isinstance(one.draw, MeshDraw):
+    if not isinstance(this_pass.draw, MeshDraw):
         return []
     given = {**dialect.given, "coverage": "true"}
-    values = {one.draw.triangle: "triangle", one.draw.depth: "depth", one.draw.coverage: "coverage"}
-    kinds = one.draw.outputs.items()
+    values = {this_pass.draw.triangle: "triangle", this_pass.draw.depth: "depth", this_pass.draw.coverage: "coverage"}
+    kinds = this_pass.draw.outputs.items()
     return [f"{dialect.declared(kind, name)} = {given[values[name]]};" for name, kind in kinds if name in used]
 
 

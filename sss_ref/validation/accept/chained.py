@@ -63,7 +63,7 @@ def _run(pass_drawn: Drawn, at: Pixels, bounds: Bounds, outputs: Bounds, profile
     work = pass_drawn.work
     values = draw_values(work, *at)
     spread = spread_varyings(pass_drawn, at, values)
-    for stage in work.one.stages:
+    for stage in work.this_pass.stages:
         given = {own: _given(work, stage, own, values, spread, bounds, at) for own in stage.parameters}
         for name, (value, _) in accepted(stage, given, profile, len(at[0])).items():
             spread[name] = value

@@ -113,7 +113,7 @@ def _checks_of_pass(rendering: Rebased, one: Pass, oracle: Result, dumped: Buffe
 
 def _checks_of_draw(pass_drawn: Drawn, oracle: Result, dumped: Buffers) -> Iterator[Check]:
     """What the rasterizer wrote: it may show any triangle that is visible on a right processor, as deep as it is."""
-    one, seen = pass_drawn.work.one, pass_drawn.visible
+    one, seen = pass_drawn.work.this_pass, pass_drawn.visible
     reach = seen.reach(oracle.buffers, dumped) if seen else {}
     for name in (name for name in one.draw.outputs if name in dumped):
         expected = oracle[name]
@@ -170,7 +170,7 @@ def walk(pass_drawn: Drawn, at: Pixels, dumped: Buffers, how: Judgement) -> Iter
     work = pass_drawn.work
     values = draw_values(work, *at)
     spread = spread_varyings(pass_drawn, at, values)
-    for stage in work.one.stages:
+    for stage in work.this_pass.stages:
         inputs = [stage_input(work, values, stage.reads[own], kind, at) for own, kind in stage.parameters.items()]
         with np.errstate(all="ignore"):
             results = dict(zip(stage.writes.values(), stage(*inputs), strict=True))

@@ -102,7 +102,7 @@ def _thinned(value: Any) -> Any:
 
 def _sample(check: Check, pass_drawn: Drawn, dumped: Buffers, how: Judgement) -> Sample | None:
     """Half of the sample from the wrong pixels, half from all."""
-    if check.stage not in {stage.name for stage in pass_drawn.work.one.stages}:
+    if check.stage not in {stage.name for stage in pass_drawn.work.this_pass.stages}:
         return None
     rng = np.random.default_rng(0)
     wrong = np.argwhere(check.where & ~within(check, check.got, check.expected))

@@ -35,7 +35,9 @@ def works(tmp_path, monkeypatch):
 def modules(works):
     """Pass -> the source of its fragments, without numbers."""
     canonical = [canonical_work(work) for work in works]
-    written = {(w.one.name, fragment_source(w.one, w.buffers, w.outputs, w.fragments.varyings)) for w in canonical}
+    written = {
+        (w.this_pass.name, fragment_source(w.this_pass, w.buffers, w.outputs, w.fragments.varyings)) for w in canonical
+    }
     assert len(dict(written)) == len(written)
     return dict(written)
 
@@ -52,14 +54,14 @@ def test_further_lights_add_no_module_but_to_what_sums_them(works):
 
 
 def test_the_vertex_stage_of_every_light_is_one_module(works):
-    shadow_maps = [work.one for work in works(3) if work.one.name.startswith("shadow_map")]
+    shadow_maps = [work.this_pass for work in works(3) if work.this_pass.name.startswith("shadow_map")]
     varyings = {"fragment_position": 0}
     assert len({vertex_source(one, varyings) for one in shadow_maps}) == 3
     assert len({vertex_source(renamed(one, canonical_names(one)), varyings) for one in shadow_maps}) == 1
 
 
 def test_each_canonical_name_stands_for_the_array_of_its_own_light(works):
-    by_pass = {work.one.name: work for work in works(3)}
+    by_pass = {work.this_pass.name: work for work in works(3)}
     work = by_pass["shadow_map_2"]
     canonical = canonical_work(work)
     assert canonical.uniforms["light_position"] is work.uniforms["light_position_2"]
@@ -71,7 +73,7 @@ def test_each_canonical_name_stands_for_the_array_of_its_own_light(works):
 
 def test_one_light_keeps_its_names(works):
     for work in works(1):
-        assert canonical_work(work).one == work.one
+        assert canonical_work(work).this_pass == work.this_pass
 
 
 @pytest.mark.parametrize(
