@@ -2,9 +2,9 @@
 
     python benchmarks/mutants.py figure3_with figure5 figure4_wax --size 96
 
-A mutant is a stage with one place changed (sss_ref.validation.cause.mutants). Registers are drawn too, so that each stage
-gives something that can be judged. Printed are the survivors, and how many were found at the right stage, elsewhere, or
-not at all; mutants that draw the same bits as the right stage count apart.
+A mutant is a stage with one place changed (sss_ref.validation.cause.mutants). Registers are drawn too, so that each
+stage gives something that can be judged. Printed are the survivors, and how many were found at the right stage,
+elsewhere, or not at all; mutants that draw the same bits as the right stage count apart.
 """
 
 import argparse
