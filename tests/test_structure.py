@@ -30,8 +30,6 @@ UPWARD = {
 }
 CIRCLES = [
     "sss_ref.explanation: explain, page, rows, shader_lines",
-    "sss_ref.interpret: shader.expressions, shader.library",
-    "sss_ref.language: front_end, stage, tree",
 ]
 TWICE = {
     "Document",

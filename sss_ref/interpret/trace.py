@@ -133,8 +133,7 @@ class _Lines:
         """A call of a primitive, or of a function with lines of its own."""
         arguments = list(map(self.value, expression.arguments))
         if expression.body is None:
-            primitive: Any = expression.callee
-            value = primitive(*arguments)
+            value = expression.callee(*arguments)
             return self.told(expression, value) if expression.callee.name in TOLD else value
         function = _Lines(dict(zip(expression.body.parameters, arguments, strict=True)))
         value = function.run(expression.body, {})["return"]

@@ -15,7 +15,6 @@ import numpy as np
 
 from sss_ref.errors import StageError
 from sss_ref.language import tree
-from sss_ref.language.intrinsics import Primitive
 from sss_ref.language.types import Array, Vector
 from sss_ref.language.typing_rules import MEMBERS, construct_error, operation_type, type_name
 
@@ -199,19 +198,18 @@ class _Reader:
         return tree.Operation(kind, operator, (left, right))
 
     def call(self, node: ast.Call, name: str) -> tree.Expression:
-        callee: Any = self.scope.get(name)
+        callee = self.scope.get(name)
         arguments = tuple(self.expression(argument) for argument in node.args)
         types = [argument.type for argument in arguments]
         if isinstance(callee, type) and issubclass(callee, Vector):
             wrong = construct_error(callee, types)
             return self.fail(node, wrong) if wrong else tree.Construct(callee, arguments)
-        if not hasattr(callee, "result_type"):
+        if not isinstance(callee, tree.Callee):
             self.fail(node, f"`{name}` is neither a built-in nor a function of the language (@function)")
         result = callee.result_type(types)
         if result is None:
             self.fail(node, f"`{name}` does not take ({', '.join(map(type_name, types))})")
-        body = None if isinstance(callee, Primitive) else callee.body(tuple(types))
-        return tree.Call(result, callee, arguments, body)
+        return tree.Call(result, callee, arguments, callee.body(tuple(types)))
 
     def element(self, node: ast.expr, name: str, index: ast.expr) -> tree.Element:
         array = self.name(node, name)

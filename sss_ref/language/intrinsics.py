@@ -48,6 +48,9 @@ class Primitive:
         """What a call with these argument types gives, or None where they do not fit the signature."""
         return call_type(self._hints, types)
 
+    def body(self, types: tuple[Any, ...]) -> None:
+        """A primitive has no body."""
+
 
 def _typed(argument: Any) -> Any:
     """A literal of a stage is a Python float; as an argument of NumPy it must already be float32."""

@@ -7,11 +7,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol, runtime_checkable
 
-if TYPE_CHECKING:
-    from sss_ref.language.intrinsics import Primitive
-    from sss_ref.language.stage import Function
+
+@runtime_checkable
+class Callee(Protocol):
+    """What a stage may call: a primitive, or a function of the language. Called, it computes with NumPy."""
+
+    @property
+    def name(self) -> str:
+        """Its name, as in GLSL."""
+
+    def __call__(self, *arguments: Any) -> Any:
+        """Its value for values of the language."""
+
+    def result_type(self, types: list[Any]) -> Any:
+        """What a call with these argument types gives, or None where they do not fit."""
+
+    def body(self, types: tuple[Any, ...]) -> Body | None:
+        """The tree for these argument types, which must fit; None of a primitive."""
 
 
 @dataclass(frozen=True)
@@ -76,10 +90,10 @@ class Element:
 
 @dataclass(frozen=True)
 class Call:
-    """A primitive, or a function of the language with the body it has for these argument types."""
+    """A call of a primitive, or of a function with the body it has for these argument types."""
 
     type: Any
-    callee: Primitive | Function
+    callee: Callee
     arguments: tuple[Expression, ...]
     body: Body | None = None
 

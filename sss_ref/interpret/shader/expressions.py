@@ -1,16 +1,14 @@
 """Expressions of the typed tree as text, with no more parentheses than their order needs."""
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, get_args, get_origin
+from typing import Any, Protocol, get_args, get_origin
 
 import numpy as np
 
+from sss_ref.interpret.shader.dialect import Dialect
 from sss_ref.language import tree
 from sss_ref.language.intrinsics import Primitive
 from sss_ref.language.types import Vector, mat3, mat4
-
-if TYPE_CHECKING:
-    from sss_ref.interpret.shader.library import Library
 
 CHOICE, OR, AND, EQUALITY, ORDER, SUM, PRODUCT, SIGN, ATOM = range(9)  # how tightly an operator binds
 BINDING = {
@@ -33,11 +31,32 @@ def number(kind: Any, value: float | int | bool) -> str:
     return str(value) if kind is int else repr(float(str(np.float32(value))))
 
 
+class Definitions(Protocol):
+    """What expressions refer to: each method gives the name of a definition, which the shader holds from then on."""
+
+    dialect: Dialect
+
+    def constant(self, constant: tree.Constant) -> str:
+        """The name of a constant of a stage's module."""
+
+    def choice(self, name: str, kind: Any) -> str:
+        """The name of min or max for two values of a type."""
+
+    def texture_size(self, texture: Any) -> str:
+        """The name of what gives the size of a texture of a type."""
+
+    def transform(self, matrix: Any) -> str:
+        """The name of the product of a matrix of a type and a vector."""
+
+    def function(self, call: tree.Call, lengths: Mapping[str, int]) -> str:
+        """The name of a function of the language for the types of a call; lengths: those of the caller's arrays."""
+
+
 class Expressions:
     """Writes the expressions of one function; `lengths`: uniform array -> its length, where it is no texture."""
 
-    def __init__(self, library: "Library", lengths: Mapping[str, int]) -> None:
-        self.library, self.dialect, self.lengths = library, library.dialect, lengths
+    def __init__(self, definitions: Definitions, lengths: Mapping[str, int]) -> None:
+        self.definitions, self.dialect, self.lengths = definitions, definitions.dialect, lengths
 
     def text(self, expression: tree.Expression, least: int = CHOICE) -> str:
         """The expression, in parentheses where it binds less than `least`."""
@@ -51,7 +70,7 @@ class Expressions:
                 text = number(kind, value)
                 return text, SIGN if text.startswith("-") else ATOM
             case tree.Constant():
-                return self.library.constant(expression), ATOM
+                return self.definitions.constant(expression), ATOM
             case tree.Name(name=name):
                 return self.dialect.name(name), ATOM
             case tree.Member(vector=vector, letters=letters):
@@ -76,7 +95,7 @@ class Expressions:
         if expression.operator == "neg":
             return f"-{self.text(first, ATOM)}", binding
         if first.type in (mat3, mat4):
-            return f"{self.library.transform(first.type)}({self.listed(expression.operands)})", ATOM
+            return f"{self.definitions.transform(first.type)}({self.listed(expression.operands)})", ATOM
         symbol = SYMBOLS.get(expression.operator, expression.operator)
         return f"{self.text(first, binding)} {symbol} {self.text(expression.operands[1], binding + 1)}", binding
 
@@ -91,7 +110,7 @@ class Expressions:
         """A primitive as the dialect has it; a function of the language by the name of its definition."""
         name, arguments = expression.callee.name, expression.arguments
         if expression.body is not None:
-            return f"{self.library.function(expression, self.lengths)}({self.listed(arguments)})", ATOM
+            return f"{self.definitions.function(expression, self.lengths)}({self.listed(arguments)})", ATOM
         if name == "select":
             condition, if_true, if_false = arguments
             return f"{self.text(condition, OR)} ? {self.text(if_true, OR)} : {self.text(if_false)}", CHOICE
@@ -102,8 +121,8 @@ class Expressions:
         if name in self.dialect.calls:
             return self.dialect.calls[name].format(*texts), ATOM
         if name == "size":
-            return f"{self.library.texture_size(arguments[0].type)}({texts[0]})", ATOM
-        return f"{self.library.choice(name, expression.type)}({', '.join(texts)})", ATOM
+            return f"{self.definitions.texture_size(arguments[0].type)}({texts[0]})", ATOM
+        return f"{self.definitions.choice(name, expression.type)}({', '.join(texts)})", ATOM
 
     def widened(self, argument: tree.Expression, call: tree.Call) -> str:
         """An argument of a primitive; a scalar that stands beside a vector becomes one."""
