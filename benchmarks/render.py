@@ -1,11 +1,10 @@
 """Times a warm rendering, every buffer kept: python benchmarks/render.py --size 1024 --triangles 100000.
 
-Prints the machine, then per pass the median and the fastest of several renderings, in milliseconds.
+Prints per pass the median and the fastest of several renderings, in milliseconds.
 """
 
 import argparse
 import os
-import platform
 import statistics
 import tempfile
 import time
@@ -60,9 +59,9 @@ def main() -> None:
             result = sss_ref.render(scene, threads=asked.threads)
             walls.append(time.perf_counter() - start)
             runs.append(result.timings)
-    print(f"{platform.processor() or platform.machine()}, {os.cpu_count()} processors, {asked.threads} threads")
     covered = float(result["coverage"].mean())
-    print(f"{len(scene.mesh.triangles)} triangles, {asked.size}^2, {covered:.0%} covered, {asked.runs} runs")
+    print(f"{len(scene.mesh.triangles)} triangles, {asked.size}^2, {covered:.0%} covered")
+    print(f"{asked.threads} threads, {asked.runs} runs")
     for name in runs[0]:
         times = [1e3 * run[name] for run in runs]
         print(f"  {name:12s} median {statistics.median(times):7.1f} ms   fastest {min(times):7.1f} ms")
