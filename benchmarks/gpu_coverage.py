@@ -14,7 +14,7 @@ import numpy as np
 
 from sss_ref import gl, webgl
 from sss_ref.errors import MeshError, SceneError
-from sss_ref.mesh.triangles import load_mesh
+from sss_ref.mesh.mesh_file import load_mesh
 from sss_ref.rendering.fold import render
 from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import Scene, load_scene

@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import Any
 
 import sss_ref
-from sss_ref.mesh.triangles import load_mesh
+from sss_ref.mesh.mesh_file import load_mesh
 from sss_ref.scene_file.shipped import find_mesh, mesh_names
 from sss_ref.view.light_fit import Bounds
 

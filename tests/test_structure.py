@@ -6,6 +6,8 @@ import re
 import subprocess
 import sys
 from collections import Counter
+from importlib import import_module
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -15,6 +17,7 @@ from package_sources import PACKAGE, SOURCES, circles, import_graph, imported_na
 from sss_ref.methods.stages import all_stages
 from sss_ref.passes.buffers import BUFFERS, described, entry_of
 
+ROOT = Path(__file__).parents[1]
 STAGES = all_stages()
 
 ROOMS = [  # from the ground up: whoever stands higher imports from those below
@@ -111,6 +114,30 @@ def test_no_test_is_imported_by_another():
     for path in sorted(Path(__file__).parent.rglob("*.py")):
         imported = list(imported_names(path.read_text()))
         assert not [name for name in imported if re.search(r"(^|\.)(test_|conftest)", name)], path
+
+
+OUTSIDE = [
+    path
+    for folder in ("benchmarks", "data/generate", "docs", "examples", "notebooks")
+    for path in sorted((ROOT / folder).rglob("*.py"))
+    if "_build" not in path.parts
+]
+
+
+@pytest.mark.parametrize("path", OUTSIDE, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_what_lies_beside_the_package_imports_what_is_in_it(path):
+    for name in imported_names(path.read_text()):
+        if name.startswith("sss_ref."):
+            assert is_there(name), name
+
+
+def is_there(name):
+    """Whether a dotted name is a module, or something that a module holds."""
+    module, _, own = name.rpartition(".")
+    try:
+        return hasattr(import_module(module), own) or bool(find_spec(name))
+    except ModuleNotFoundError:
+        return False
 
 
 LIGHT = [
