@@ -47,7 +47,7 @@ def write_bundle(scene: Scene, folder: Path) -> Path:
 
 def _is_bundle(folder: Path) -> bool:
     try:
-        return json.loads((folder / "passes.json").read_bytes())["format"] == FORMAT
+        return bool(json.loads((folder / "passes.json").read_bytes())["format"] == FORMAT)
     except (OSError, ValueError, LookupError, TypeError):
         return False
 

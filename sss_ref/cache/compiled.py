@@ -57,7 +57,10 @@ def _caching_in(folder: Path) -> Iterator[None]:
 def compiled(function: Callable[..., Any]) -> Callable[..., Any]:
     """Compile `function` under the arithmetic contract (decorator): no GIL, IEEE division, no fast-math, cached."""
     folder = cache_folder()
+    kernel: Callable[..., Any]
     if folder is None:
-        return numba.njit(**CONTRACT)(function)
-    with _caching_in(folder):
-        return numba.njit(cache=True, **CONTRACT)(function)
+        kernel = numba.njit(**CONTRACT)(function)
+    else:
+        with _caching_in(folder):
+            kernel = numba.njit(cache=True, **CONTRACT)(function)
+    return kernel

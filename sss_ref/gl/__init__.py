@@ -2,3 +2,8 @@
 
 from sss_ref.gl.context import device_name
 from sss_ref.gl.drawing import draw
+
+__all__ = [
+    "device_name",
+    "draw",
+]

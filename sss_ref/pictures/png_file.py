@@ -37,7 +37,8 @@ def srgb8(linear: np.ndarray) -> np.ndarray:
 
 def plain8(values: np.ndarray) -> np.ndarray:
     """float32 values, of any shape, as 0 to 255 (uint8) without encoding; values outside 0 to 1 are cut off."""
-    return np.rint(np.clip(values, 0, 1) * np.float32(255)).astype(np.uint8)
+    codes: np.ndarray = np.rint(np.clip(values, 0, 1) * np.float32(255)).astype(np.uint8)
+    return codes
 
 
 def encoding_of(settings: SceneFile) -> Callable[[np.ndarray], np.ndarray]:

@@ -68,7 +68,8 @@ def stretched(values: np.ndarray, low: float, high: float) -> np.ndarray:
     if low == high:
         return np.full(values.shape, 128, np.uint8)
     share = (np.clip(values, low, high).astype(np.float64) - low) / (high - low)
-    return np.rint(share * 255).astype(np.uint8)
+    codes: np.ndarray = np.rint(share * 255).astype(np.uint8)
+    return codes
 
 
 def uv_colours(uv: np.ndarray) -> np.ndarray:

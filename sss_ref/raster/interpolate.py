@@ -41,7 +41,8 @@ def weights_arrays(
     opposite, next_one = [1, 2, 0], [2, 0, 1]
     e = to_x[opposite] * to_y[next_one] - to_x[next_one] * to_y[opposite]
     turn = np.where(e.sum(axis=0) < 0, -1, 1)
-    return (turn * e).astype(np.float32) * primitives.inverse_w[corners]
+    weights: np.ndarray = (turn * e).astype(np.float32) * primitives.inverse_w[corners]
+    return weights
 
 
 def interpolate_arrays(
@@ -50,4 +51,5 @@ def interpolate_arrays(
     """All attributes of N fragments, float32 (N, A); arguments as in `weights_arrays`."""
     w0, w1, w2 = weights_arrays(primitives, piece, column, row, step)[..., None]
     a0, a1, a2 = primitives.attributes[primitives.corners[piece].T]
-    return ((a0 * w0 + a1 * w1) + a2 * w2) / ((w0 + w1) + w2)
+    mixed: np.ndarray = ((a0 * w0 + a1 * w1) + a2 * w2) / ((w0 + w1) + w2)
+    return mixed

@@ -73,7 +73,8 @@ def compared(name: str, a: np.ndarray, b: np.ndarray) -> BufferDiff:
 
 def differing_pixels(a: np.ndarray, b: np.ndarray) -> NDArray[np.bool_]:
     """Where any bit of any channel differs, (H, W)."""
-    return (bits(a) != bits(b)).reshape(*a.shape[:2], -1).any(axis=-1)
+    differing: NDArray[np.bool_] = (bits(a) != bits(b)).reshape(*a.shape[:2], -1).any(axis=-1)
+    return differing
 
 
 def ulp_class(a: np.ndarray, b: np.ndarray) -> NDArray[np.intp]:
@@ -151,7 +152,7 @@ def _form(buffer: np.ndarray) -> str:
 def _largest(a: np.ndarray, b: np.ndarray) -> float:
     """The largest difference of two finite values, in float64, which holds that of two float32 or int32."""
     both = np.isfinite(a) & np.isfinite(b)
-    return np.abs(a[both].astype(np.float64) - b[both]).max(initial=0).item()
+    return float(np.abs(a[both].astype(np.float64) - b[both]).max(initial=0))
 
 
 def _shown(pixel: np.ndarray) -> str:

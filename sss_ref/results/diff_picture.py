@@ -100,7 +100,8 @@ def write_diff_picture(path: Path, name: str, a: Path, b: Path) -> None:
 
 def worst_class(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """For every pixel (H, W) the index in ULP_CLASSES of the channel that is furthest apart."""
-    return ulp_class(a, b).reshape(*a.shape[:2], -1).max(axis=-1)
+    worst: np.ndarray = ulp_class(a, b).reshape(*a.shape[:2], -1).max(axis=-1)
+    return worst
 
 
 def thinned_to_worst(classes: np.ndarray, step: int) -> np.ndarray:

@@ -36,7 +36,8 @@ def checked_target(folder: Path) -> Path:
 def read_buffer(path: Path) -> np.ndarray:
     """The buffer (H, W) or (H, W, C), row 0 at the bottom, in the NPY file at `path`; DumpError if it is none."""
     try:
-        return np.load(path, allow_pickle=False)
+        buffer: np.ndarray = np.load(path, allow_pickle=False)
+        return buffer
     except (OSError, ValueError, EOFError) as error:
         raise DumpError(f"{path}: expected a buffer in NPY format, got {error}; render the scene again") from None
 
@@ -44,7 +45,7 @@ def read_buffer(path: Path) -> np.ndarray:
 def _is_result(folder: Path) -> bool:
     """Whether a folder has a manifest of this package, of whatever version."""
     try:
-        return json.loads((folder / FILE_NAME).read_bytes())["format"] == FORMAT
+        return bool(json.loads((folder / FILE_NAME).read_bytes())["format"] == FORMAT)
     except (OSError, ValueError, LookupError, TypeError):
         return False
 

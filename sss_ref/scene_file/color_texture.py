@@ -30,7 +30,7 @@ def load_texture(path: Path) -> FloatArray:
     try:
         with _opened(path) as (image, depth):
             _check(image, depth)
-            codes = np.asarray(image.convert("RGB"))
+            codes: NDArray[np.uint8] = np.asarray(image.convert("RGB"))
     except SceneError:
         raise
     except Exception as error:  # whatever a broken picture makes Pillow raise
@@ -43,7 +43,8 @@ def texture_size(path: Path) -> tuple[int, int]:
     """Width and height that a picture declares; 0, 0 where it declares none, which `load_texture` will refuse."""
     try:
         with _opened(path) as (image, _):
-            return image.size
+            width, height = image.size
+            return width, height
     except Exception:  # whatever a broken picture makes Pillow raise
         return 0, 0
 

@@ -20,7 +20,7 @@ NEARLY_PARALLEL = 0.9999  # |cosine| beyond which `up` says nothing about the im
 
 def product(left: Matrix, right: Matrix) -> Matrix:
     """The product of 4 x 4 matrices: each element ((l0*r0 + l1*r1) + l2*r2) + l3*r3."""
-    terms = [left[:, k, np.newaxis] * right[k] for k in range(4)]
+    terms: list[Matrix] = [left[:, k, np.newaxis] * right[k] for k in range(4)]
     return ((terms[0] + terms[1]) + terms[2]) + terms[3]
 
 

@@ -76,14 +76,14 @@ def light_of(light: LightSettings, shadow_map: ShadowMap) -> Light:
 def orbit_eye(camera: OrbitCamera) -> Vector:
     """The eye, target + distance * (cos el * sin az, sin el, cos el * cos az)."""
     level = cosine(camera.elevation)
-    outward = np.array([level * sine(camera.azimuth), sine(camera.elevation), level * cosine(camera.azimuth)])
+    outward: Vector = np.array([level * sine(camera.azimuth), sine(camera.elevation), level * cosine(camera.azimuth)])
     return np.array(camera.target, np.float64) + camera.distance * outward
 
 
 def free_target(camera: FreeCamera) -> Vector:
     """The point looked at: position + (-cos pitch * sin yaw, sin pitch, -cos pitch * cos yaw)."""
     level = cosine(camera.pitch)
-    forward = np.array([-level * sine(camera.yaw), sine(camera.pitch), -level * cosine(camera.yaw)])
+    forward: Vector = np.array([-level * sine(camera.yaw), sine(camera.pitch), -level * cosine(camera.yaw)])
     return np.array(camera.position, np.float64) + forward
 
 

@@ -2,3 +2,8 @@
 
 from sss_ref.webgl.browser import draw
 from sss_ref.webgl.content import page
+
+__all__ = [
+    "draw",
+    "page",
+]

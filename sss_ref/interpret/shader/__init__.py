@@ -11,3 +11,20 @@ from sss_ref.interpret.shader.library import Library, stage_source
 from sss_ref.interpret.shader.passes import array_lengths, draws, fragment_shader, shader_files, vertex_shader
 
 DIALECTS = {"glsl": GLSL, "essl": ESSL, "hlsl": HLSL}
+
+__all__ = [
+    "ARRAY_WIDTH",
+    "DIALECTS",
+    "ESSL",
+    "GLSL",
+    "HLSL",
+    "OUT",
+    "Dialect",
+    "Library",
+    "array_lengths",
+    "draws",
+    "fragment_shader",
+    "shader_files",
+    "stage_source",
+    "vertex_shader",
+]
