@@ -9,7 +9,7 @@ import importlib.util
 import linecache
 import os
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from concurrent.futures import Executor
 from functools import cache
 from pathlib import Path
@@ -19,10 +19,11 @@ from typing import Any
 import numpy as np
 
 from sss_ref.cache.compiled import cache_folder
+from sss_ref.interpret.kernel.arguments import OUT, Arguments, vertex_reads
 from sss_ref.interpret.kernel.canonical import canonical_names, canonical_work, renamed
-from sss_ref.interpret.kernel.source import fragment_source, loose, packed, vertex_reads, vertex_source
+from sss_ref.interpret.kernel.source import fragment_source, vertex_source
 from sss_ref.interpret.work import FLOAT32, Work
-from sss_ref.language.pipeline import MESH_ATTRIBUTES, MeshDraw, Pass
+from sss_ref.language.pipeline import MeshDraw, Pass
 
 BAND = 32  # rows a task
 
@@ -39,16 +40,16 @@ def run_vertices(
     mesh: vertex attribute -> float32 (V, C). uniforms: with the textures that the stage reads, as in `Work`.
     varyings: name -> first column.
     """
-    assert isinstance(this_pass.draw, MeshDraw)
-    count = len(mesh["position"])
-    clip_position = np.empty((count, 4), FLOAT32)
-    attributes = np.empty((count, columns), FLOAT32)
-    reads = vertex_reads(this_pass.draw)
-    loosely = [(mesh if name in MESH_ATTRIBUTES else uniforms)[name] for name in loose(reads, MESH_ATTRIBUTES)]
-    given = [_pack(reads, MESH_ATTRIBUTES, uniforms), *loosely]
-    canonical = renamed(this_pass, canonical_names(this_pass))
+    rename = canonical_names(this_pass)
+    canonical = renamed(this_pass, rename)
+    assert isinstance(this_pass.draw, MeshDraw) and isinstance(canonical.draw, MeshDraw)
     module = _imported(vertex_source(canonical, varyings), f"{canonical.name}_vertices")
-    module.vertices(*given, clip_position, attributes)
+    there = {**uniforms, **mesh}
+    read = {rename(name): there[name] for name in vertex_reads(this_pass.draw)}
+    clip_position = np.empty((len(mesh["position"]), 4), FLOAT32)
+    attributes = np.empty((len(mesh["position"]), columns), FLOAT32)
+    filled = {"clip_position": clip_position, "attributes": attributes}
+    Arguments.of_vertices(canonical.draw).bound(module.vertices, read, filled)()
     return clip_position, attributes
 
 
@@ -58,24 +59,23 @@ def run_fragments(work: Work, pool: Executor | None) -> None:
     fragments, this_pass = work.fragments, work.this_pass
     source = fragment_source(this_pass, work.buffers, work.outputs, fragments.varyings)
     module = _imported(source, f"{this_pass.name}_fragments")
-    mesh = [fragments.piece, fragments.primitives, fragments.step] if fragments.piece is not None else []
-    rectangle = [] if fragments.stencil is None else [fragments.stencil]
-    loosely = [
-        (work.buffers if name in work.buffers else work.uniforms)[name] for name in loose(this_pass.reads, work.buffers)
-    ]
-    given: list[Any] = [*mesh, *rectangle, _pack(this_pass.reads, work.buffers, work.uniforms), *loosely]
-    given += [*work.outputs.values(), np.concatenate([work.backgrounds[name] for name in work.outputs], dtype=FLOAT32)]
+    own = {
+        "width": fragments.width,
+        "piece": fragments.piece,
+        "primitives": fragments.primitives,
+        "step": fragments.step,
+        "stencil": fragments.stencil,
+        "background": np.concatenate([work.backgrounds[name] for name in work.outputs], dtype=FLOAT32),
+        **{OUT + name: buffer for name, buffer in work.outputs.items()},
+    }
+    arguments = Arguments.of_fragments(this_pass, work.buffers, work.outputs)
+    fill = arguments.bound(module.fragments, {**work.uniforms, **work.buffers}, own)
 
     def band(first_row: int) -> None:
-        module.fragments(first_row, min(first_row + BAND, fragments.height), fragments.width, *given)
+        fill(row0=first_row, row1=min(first_row + BAND, fragments.height))
 
     for _ in (pool.map if pool else map)(band, range(0, fragments.height, BAND)):
         pass
-
-
-def _pack(reads: Mapping[str, Any], buffers: Iterable[str], uniforms: Mapping[str, Any]) -> np.ndarray:
-    """The argument `uniforms`: the packed ones, one after the other."""
-    return np.concatenate([np.empty(0, FLOAT32), *(np.ravel(uniforms[name]) for name in packed(reads, buffers))])
 
 
 @cache

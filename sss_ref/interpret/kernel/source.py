@@ -1,13 +1,14 @@
 """Writes the module of a pass: its stages, fused, as compiled loops over vertices and over the pixels of some rows."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import Any, get_origin
 
+from sss_ref.interpret.kernel.arguments import OUT, Arguments
 from sss_ref.interpret.kernel.lower import INDENT, Lines, Lowering, Memory, Scalar, Value, suffixes
 from sss_ref.interpret.work import CHANNELS
-from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL, MeshDraw, Pass, ScreenDraw
+from sss_ref.language.pipeline import CLIP_POSITION, PIXEL, MeshDraw, Pass
 from sss_ref.language.stage import Stage
-from sss_ref.language.types import Texture, mat3, mat4, vec2, vec3, vec4
+from sss_ref.language.types import Texture
 
 HEADER = '''"""Pass {name}: {stages}. Written by sss_ref from the stages; do not edit."""
 
@@ -19,11 +20,6 @@ from sss_ref.raster.interpolate import barycentric
 
 '''
 
-FLOATS: dict[Any, list[str]] = {  # type -> how its floats are named
-    **{kind: suffixes(kind) for kind in (float, vec2, vec3, vec4)},
-    mat3: [f"_{row}{column}" for row in range(3) for column in range(3)],
-    mat4: [f"_{row}{column}" for row in range(4) for column in range(4)],
-}
 RESERVED = ("row", "column", "width", "step", "piece", "primitives", "here")
 CORNER_NAMES = ("a", "b", "c", "wa", "wb", "wc", "weight", "varying")
 CORNERS = (
@@ -43,13 +39,14 @@ def vertex_source(this_pass: Pass, varyings: Mapping[str, int]) -> str:
 
 
 def fragment_source(
-    this_pass: Pass, buffers: Iterable[str], outputs: Iterable[str], varyings: Mapping[str, int]
+    this_pass: Pass, buffers: Collection[str], outputs: Collection[str], varyings: Mapping[str, int]
 ) -> str:
     """The source of the module with `fragments`.
 
     buffers: the names it reads from earlier passes; outputs: those it is to fill; varyings: first attribute column.
     """
-    writer = _FragmentLoop(this_pass, set(buffers), list(outputs), varyings)
+    arguments = Arguments.of_fragments(this_pass, buffers, outputs)
+    writer = _FragmentLoop(this_pass, arguments, list(outputs), varyings)
     return _module(this_pass, this_pass.stages, writer.function(), writer.lines)
 
 
@@ -59,47 +56,27 @@ def _module(this_pass: Pass, stages: Iterable[Stage], function: str, lines: Line
     return header + constants + "\n\n" + function
 
 
-def packed(reads: Mapping[str, Any], buffers: Iterable[str]) -> list[str]:
-    """The uniforms that a function takes in one float32 array, `uniforms`, one after the other."""
-    return [name for name, kind in reads.items() if name not in buffers and kind in FLOATS]
-
-
-def loose(reads: Mapping[str, Any], buffers: Iterable[str]) -> list[str]:
-    """What a function takes as arguments of their own: buffers, uniform arrays and integers."""
-    together = set(packed(reads, buffers))
-    return [name for name in reads if name not in together]
-
-
-def vertex_reads(draw: MeshDraw) -> dict[str, Any]:
-    """Name -> type of what `vertices` reads: attributes of the mesh, uniforms and textures."""
-    return {draw.vertex.reads[own]: kind for own, kind in draw.vertex.parameters.items()}
-
-
-def unpacked(reads: Mapping[str, Any], buffers: Iterable[str], lines: Lines) -> dict[str, Value]:
+def unpacked(arguments: Arguments, lines: Lines) -> dict[str, Value]:
     """The uniforms as values: the packed ones taken out of their array before the loop."""
-    values: dict[str, Value] = {}
-    first = 0
-    for name in packed(reads, buffers):
-        ends = FLOATS[reads[name]]
-        values[name] = [
-            lines.bind(name + end, Scalar(f"uniforms[{first + k}]", True, False)) for k, end in enumerate(ends)
-        ]
-        first += len(ends)
-    for name in loose(reads, buffers):
-        if name not in buffers:
-            values[name] = [Scalar(name, True, True)] if reads[name] is int else Memory(name, reads[name])
+    values: dict[str, Value] = {
+        name: [lines.bind(name + end, Scalar(element, True, False)) for end, element in slots]
+        for name, slots in arguments.slots.items()
+    }
+    for name in arguments.loose:
+        kind = arguments.reads[name]
+        if name not in arguments.arrays:
+            values[name] = [Scalar(name, True, True)] if kind is int else Memory(name, kind)
     return values
 
 
 def vertex_function(draw: MeshDraw, varyings: Mapping[str, int], lines: Lines) -> str:
-    """`vertices(uniforms, mesh attributes and textures, clip_position, attributes)`: fill the last two."""
-    reads = vertex_reads(draw)
-    given = loose(reads, MESH_ATTRIBUTES)
-    for name in given:
+    """`vertices`, which fills `clip_position` and `attributes`."""
+    arguments = Arguments.of_vertices(draw)
+    for name in arguments.loose:
         lines.fresh(name)
-    values = unpacked(reads, MESH_ATTRIBUTES, lines)
-    for name in (name for name in given if name in MESH_ATTRIBUTES):
-        ends = enumerate(suffixes(reads[name]))
+    values = unpacked(arguments, lines)
+    for name in (name for name in arguments.loose if name in arguments.arrays):
+        ends = enumerate(suffixes(arguments.reads[name]))
         values[name] = [lines.bind(name + end, Scalar(f"{name}[vertex, {k}]", False, False)) for k, end in ends]
     names = {own: values[name] for own, name in draw.vertex.reads.items()}
     results = Lowering(lines, names).run(draw.vertex.body)
@@ -108,17 +85,19 @@ def vertex_function(draw: MeshDraw, varyings: Mapping[str, int], lines: Lines) -
     for own, scalars in results.items():
         for k, value in enumerate(scalars if draw.vertex.writes[own] in varyings else []):
             lines.add(f"attributes[vertex, {varyings[draw.vertex.writes[own]] + k}] = {value.text}")
-    head = f"@compiled\ndef vertices(uniforms, {', '.join(given)}, clip_position, attributes):\n"
-    body = [INDENT + line for line in lines.before]
-    body += [f"{INDENT}for vertex in range(len(clip_position)):", *lines.inside]
-    return head + "\n".join(body) + "\n"
+    loop = f"{INDENT}for vertex in range(len(clip_position)):"
+    return _function("vertices", arguments, [*(INDENT + line for line in lines.before), loop, *lines.inside])
+
+
+def _function(name: str, arguments: Arguments, body: list[str]) -> str:
+    return f"@compiled\ndef {name}({arguments.signature}):\n" + "\n".join(body) + "\n"
 
 
 class _FragmentLoop:
-    """Writes `fragments(row0, row1, width, the draw, uniforms and buffers, outputs, backgrounds)`."""
+    """Writes `fragments`, which fills the outputs on some rows."""
 
-    def __init__(self, this_pass: Pass, buffers: set[str], outputs: list[str], varyings: Mapping[str, int]) -> None:
-        self.this_pass, self.buffers, self.outputs, self.varyings = this_pass, buffers, outputs, varyings
+    def __init__(self, this_pass: Pass, arguments: Arguments, outputs: list[str], varyings: Mapping[str, int]) -> None:
+        self.this_pass, self.arguments, self.outputs, self.varyings = this_pass, arguments, outputs, varyings
         self.lines = Lines(depth=3)
         self.values: dict[str, Value] = {}
         for taken in (*RESERVED, *CORNER_NAMES, *this_pass.reads):
@@ -126,7 +105,7 @@ class _FragmentLoop:
 
     def function(self) -> str:
         """The whole function."""
-        self.values |= unpacked(self.this_pass.reads, self.buffers, self.lines)
+        self.values |= unpacked(self.arguments, self.lines)
         self.values[PIXEL] = [Scalar("column", False, True), Scalar("row", False, True)]
         draw = self.this_pass.draw
         if isinstance(draw, MeshDraw):
@@ -134,11 +113,6 @@ class _FragmentLoop:
         for stage in self.this_pass.stages:
             self.stage(stage)
         self.stores()
-        rectangle = ["stencil"] if isinstance(draw, ScreenDraw) and draw.stencil else []
-        given = ["piece", "primitives", "step"] if isinstance(draw, MeshDraw) else rectangle
-        taken = ["row0", "row1", "width", *given, "uniforms", *loose(self.this_pass.reads, self.buffers)]
-        filled = [f"out_{name}" for name in self.outputs]
-        head = f"@compiled\ndef fragments({', '.join(taken + filled)}, background):\n"
         loop = [
             *(INDENT + line for line in self.lines.before),
             f"{INDENT}for row in range(row0, row1):",
@@ -146,7 +120,7 @@ class _FragmentLoop:
             *self.skip(),
             *self.lines.inside,
         ]
-        return head + "\n".join(loop) + "\n"
+        return _function("fragments", self.arguments, loop)
 
     def skip(self) -> list[str]:
         """Leave a pixel without fragment to the background."""
@@ -156,10 +130,10 @@ class _FragmentLoop:
             test = [INDENT * 3 + "if stencil[row, column] == 0:"]
         else:
             return []
-        places = [(name, channel) for name in self.outputs for channel in self.channels(name)]
+        pairs = [(name, channel) for name in self.outputs for channel in self.channels(name)]
         clear = [
-            f"{INDENT * 4}out_{name}[row, column{channel}] = background[{k}]"
-            for k, (name, channel) in enumerate(places)
+            f"{INDENT * 4}{OUT}{name}[row, column{channel}] = background[{k}]"
+            for k, (name, channel) in enumerate(pairs)
         ]
         return [*test, *clear, INDENT * 4 + "continue"]
 
@@ -213,7 +187,7 @@ class _FragmentLoop:
             value = self.values[name]
             assert isinstance(value, list)
             for channel, scalar in zip(self.channels(name), value, strict=True):
-                self.lines.add(f"out_{name}[row, column{channel}] = {scalar.text}")
+                self.lines.add(f"{OUT}{name}[row, column{channel}] = {scalar.text}")
 
 
 def replace_uniform(value: Scalar) -> Scalar:
