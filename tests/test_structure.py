@@ -35,12 +35,8 @@ CIRCLES = [
     "sss_ref.explanation: explain, page, rows, shader_lines",
 ]
 TWICE = {
-    "Document",
     "Drawn",
-    "Image",
-    "Mesh",
     "Phong",
-    "Primitive",
     "Step",
     "Translucency",
     "Verdict",

@@ -1,6 +1,6 @@
 """Mesh files as trimesh reads them, its parts in the order of its scene graph; quads and polygons arrive triangulated.
 
-Of the file's materials only the colours are read. trimesh reads UVs of a glTF part only if the part has a material.
+Of the file's materials only the colours are read.
 """
 
 import io
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from sss_ref.errors import MeshError
 from sss_ref.errors.wording import shown
-from sss_ref.mesh.materials import Material, gltf_colors, material_of
+from sss_ref.mesh.materials import Material, material_of
 from sss_ref.mesh.part import FileContent, Part, finite32, placed, refused, vertex_indices
 from sss_ref.mesh.untrusted import OwnFolder, check_declarations
 
@@ -48,11 +48,9 @@ def _check_faces(path: Path) -> None:
 
 def _parts(path: Path) -> Iterator[Part]:
     """The triangle meshes of a file in graph order; points and lines are passed over."""
-    read = _read(path)
-    exact = gltf_colors(path)
-    for geometry, transform in read:
+    for geometry, transform in _read(path):
         if hasattr(geometry, "faces"):
-            yield _part(path, geometry, np.asarray(transform, np.float64), material_of(geometry.visual, exact))
+            yield _part(path, geometry, np.asarray(transform, np.float64), material_of(geometry.visual))
 
 
 def _read(path: Path) -> list[tuple[Any, Any]]:

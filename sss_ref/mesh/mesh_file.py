@@ -7,6 +7,7 @@ order. It numbers the triangles in every buffer.
 from pathlib import Path
 
 from sss_ref.mesh.by_trimesh import read_by_trimesh
+from sss_ref.mesh.gltf.gltf_reader import read_gltf
 from sss_ref.mesh.joining import joined
 from sss_ref.mesh.part import refused
 from sss_ref.mesh.triangles import Mesh
@@ -21,7 +22,8 @@ def load_mesh(path: Path) -> Mesh:
     Raises MeshError for anything that cannot be drawn.
     """
     _check_file(path)
-    return joined(path, read_by_trimesh(path))
+    read = read_gltf if path.suffix.lower() in (".gltf", ".glb") else read_by_trimesh
+    return joined(path, read(path))
 
 
 def _check_file(path: Path) -> None:

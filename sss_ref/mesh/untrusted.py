@@ -10,7 +10,6 @@ from urllib.parse import unquote
 
 from sss_ref.errors import MeshError
 from sss_ref.errors.wording import shown, told
-from sss_ref.mesh.gltf_document import check_gltf
 
 BYTE_LIMIT = 2**30  # of the mesh file, and of all files together that it refers to
 TEXT_LIMIT = 2**28  # of a mesh file in text, which takes up to a hundred times its bytes to read
@@ -78,17 +77,13 @@ def check_declarations(path: Path, data: bytes) -> None:
         case ".off":
             _check_off(path, data)
         case ".obj":
-            _check_text(path, data)
+            check_text(path, data)
         case ".stl" if b"endsolid" in data[-256:]:
-            _check_text(path, data)
-        case ".gltf":
-            check_gltf(path, data, b"")
-        case ".glb":  # a header of 12 bytes, then chunks of length, type and content: JSON first, binary second
-            end = 20 + int.from_bytes(data[12:16], "little")
-            check_gltf(path, data[20:end], data[end + 8 :])
+            check_text(path, data)
 
 
-def _check_text(path: Path, data: bytes) -> None:
+def check_text(path: Path, data: bytes) -> None:
+    """Raise MeshError for more text than is read."""
     if len(data) > TEXT_LIMIT:
         expected = f"at most {TEXT_LIMIT} bytes of text"
         raise MeshError(told(str(path), expected, str(len(data)), "convert it to a binary format"))
@@ -98,12 +93,12 @@ def _check_ply(path: Path, data: bytes) -> None:
     header, _, rows = data.partition(b"end_header")
     if b"ascii" not in b"".join(header.splitlines()[1:2]).lower():
         return _check_counts(path, PLY_ELEMENT.findall(header), len(rows), "bytes")
-    _check_text(path, data)
+    check_text(path, data)
     _check_counts(path, PLY_ELEMENT.findall(header), len(rows.strip().splitlines()), "lines")
 
 
 def _check_off(path: Path, data: bytes) -> None:
-    _check_text(path, data)
+    check_text(path, data)
     lines = [line for line in OFF_COMMENT.sub(b"", data).partition(b"OFF")[2].splitlines() if line.strip()]
     _check_counts(path, lines[0].split()[:2] if lines else [], len(lines) - 1, "lines")
 

@@ -1,17 +1,14 @@
 """Files of bad or hostile content: each gives an exact mesh or an exact message."""
 
-import base64
-import json
 import os
 import struct
-import zlib
 
 import numpy as np
 import pytest
 
 from sss_ref.errors import MeshError, SceneError
-from sss_ref.mesh import gltf_document, untrusted
 from sss_ref.mesh import mesh_file as mesh
+from sss_ref.mesh import untrusted
 from sss_ref.scene import load_mesh, load_scene
 
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
@@ -22,8 +19,8 @@ FACES = "expected faces of at least three vertices, numbered from 1, got {}; exp
 # triangles and bounds, or the message after the file's name
 ASSETS = {
     "malformed/BoxBadNormals.glb": (12, (-0.5, -0.5, -0.5), (0.5, 0.5, 0.5)),
-    "malformed/IndexOutOfRange/IndexOutOfRange.gltf": "expected vertex indices from 0 to 23, "
-    "got [255, 1, 2] in triangle 0 (1 in all); export the mesh again",
+    "malformed/IndexOutOfRange/IndexOutOfRange.gltf": "meshes[0].primitives[0].indices: "
+    "expected vertex indices from 0 to 23, got [255, 1, 2] in triangle 0 (1 in all); export the mesh again",
     "malformed/box_without_lineending.obj": (12, (-0.5, -0.5, -0.5), (0.5, 0.5, 0.5)),
     "malformed/concave_polygon.obj": (64, (-1.146, 1.6575, 1.6055), (-1.146, 3.1425, 3.0905)),
     "malformed/cube_compressed.obj": (12, (-1, -1, -1), (1, 1, 1.000001)),
@@ -47,7 +44,7 @@ ASSETS = {
     "malformed/whitespace.off": (12, (-1.632993, -1.632993, -1.154701), (1.632993, 1.632993, 1.154701)),
     "gltf/AlphaBlendModeTest.glb": (61, (-4.3, -0.100000024, -0.75), (4.3, 2.2995334, 0.55)),
     "gltf/nested.glb": (36, (-1.1670133, -2.3365953, -0.2693815), (0.26938146, 0.99999994, 0.2693815)),
-    "gltf/no_indices_3storybuilding.glb": (72, (-23.207142, 0, 0), (32.873, 9, 63.36141)),
+    "gltf/no_indices_3storybuilding.glb": (72, (-23.207142, -1.4069059e-14, 0), (32.873, 9, 63.36141)),
     "gltf/rgb_cube_with_primitives.gltf": (12, (-1, -1, -1), (1, 1, 1)),
 }
 
@@ -79,89 +76,17 @@ def message(path):
     return str(error.value).removeprefix(f"{path}: ")
 
 
-def document(**changes):
-    """A glTF document with one triangle in triangle.bin; each change replaces a key, or removes it with None."""
-    vectors = {"componentType": 5126, "count": 3, "type": "VEC3"}
-    keys = {
-        "asset": {"version": "2.0"},
-        "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
-        "buffers": [{"uri": "triangle.bin", "byteLength": 36}],
-        "bufferViews": [{"buffer": 0, "byteLength": 36}],
-        "accessors": [{"bufferView": 0, **vectors}],
-        **changes,
-    }
-    return {key: value for key, value in keys.items() if value is not None}
+def test_mesh_that_is_a_pipe(tmp_path):
+    os.mkfifo(tmp_path / "a.obj")
+    assert message(tmp_path / "a.obj") == "expected a readable file, got a folder or a device; check the path"
 
 
 @pytest.fixture
 def folder(tmp_path):
-    """A folder with triangle.bin in it, and a secret beside it: the same triangle, so that reading it would work."""
-    inside = tmp_path / "inside"
-    inside.mkdir()
-    (inside / "triangle.bin").write_bytes(CORNERS)
+    """A folder with a secret beside it."""
+    (tmp_path / "inside").mkdir()
     (tmp_path / "secret.bin").write_bytes(CORNERS)
-    (inside / "link.bin").symlink_to(tmp_path / "secret.bin")
-    (inside / "linked").symlink_to(tmp_path)
-    return inside
-
-
-def gltf(folder, **changes):
-    path = folder / "a.gltf"
-    path.write_text(json.dumps(document(**changes)))
-    return path
-
-
-def referring(folder, uri):
-    return gltf(folder, buffers=[{"uri": uri, "byteLength": 36}])
-
-
-def test_references_inside_the_folder(folder):
-    (folder / "b c").mkdir()
-    (folder / "b c" / "d.bin").write_bytes(CORNERS)
-    (folder / "own.bin").symlink_to(folder / "triangle.bin")
-    data = "data:application/octet-stream;base64," + base64.b64encode(CORNERS).decode()
-    for uri in ("triangle.bin", "./triangle.bin", "b c/d.bin", "b%20c/d.bin", "own.bin", data):
-        assert len(load_mesh(referring(folder, uri)).triangles) == 1
-
-
-OUTSIDE = [
-    "../secret.bin",
-    "%2e%2e/secret.bin",
-    "b/../../secret.bin",
-    "..\\secret.bin",
-    "/{}/secret.bin",
-    "file:///{}/secret.bin",
-    "http://localhost/secret.bin",
-    "C:\\secret.bin",
-    "\\\\server\\secret.bin",
-    "data:text/plain,abc",
-    "link.bin",
-    "linked/secret.bin",
-]
-
-
-@pytest.mark.parametrize("uri", OUTSIDE)
-def test_references_outside_the_folder(folder, uri):
-    uri = uri.format(str(folder.parent).lstrip("/"))
-    shown = json.dumps(uri)
-    shown = shown if len(shown) <= 60 else f"{shown[:57]}..."
-    refused = f"expected references to files in its own folder, got {shown}; copy the file there"
-    assert message(referring(folder, uri)) == refused
-    # trimesh would draw the mesh without the picture and say nothing
-    assert message(gltf(folder, images=[{"uri": uri}], materials=[{}])) == refused
-
-
-def test_reference_to_nothing(folder):
-    assert message(referring(folder, "none.bin")) == 'expected a file "none.bin" beside it, got none; put it there'
-    os.mkfifo(folder / "pipe.bin")  # reading it would wait for ever
-    assert message(referring(folder, "pipe.bin")) == 'expected a file "pipe.bin" beside it, got none; put it there'
-
-
-def test_mesh_that_is_a_pipe(tmp_path):
-    os.mkfifo(tmp_path / "a.obj")
-    assert message(tmp_path / "a.obj") == "expected a readable file, got a folder or a device; check the path"
+    return tmp_path / "inside"
 
 
 @pytest.mark.parametrize("library", ["mtllib ../a.mtl", "mtllib a.mtl"])
@@ -174,16 +99,6 @@ def test_materials_outside_the_folder(folder, library):
     assert message(folder / "a.obj") == (
         f'expected references to files in its own folder, got "{named}"; copy the file there'
     )
-
-
-def test_referenced_bytes_are_limited_together(folder, monkeypatch):
-    monkeypatch.setattr(untrusted, "BYTE_LIMIT", 71)
-    twice = gltf(folder, buffers=[{"uri": "triangle.bin"}] * 2)
-    assert message(twice) == (
-        'expected at most 71 bytes in the files it refers to, got "triangle.bin"; simplify the mesh'
-    )
-    monkeypatch.setattr(untrusted, "BYTE_LIMIT", 72)
-    assert len(load_mesh(twice).triangles) == 1
 
 
 @pytest.mark.parametrize("magic, name", untrusted.COMPRESSED.items())
@@ -235,91 +150,6 @@ def test_text_has_a_lower_limit(tmp_path, monkeypatch, name, content):
     assert message(tmp_path / name) == (
         f"expected at most 3 bytes of text, got {len(content)}; convert it to a binary format"
     )
-
-
-MANY = 2**24
-VIEW = {"buffer": 0, "byteLength": 36}
-ACCESSOR = {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}
-SIMPLER = "; export the mesh again, simpler"
-DEEP = f"expected nodes with one parent each, at most 64 deep, got others{SIMPLER}"
-BOMBS = {
-    "compressed": (
-        {"extensionsUsed": ["KHR_draco_mesh_compression"]},
-        f"expected an uncompressed mesh, got a compressed one{SIMPLER}",
-    ),
-    "views that overlap": (
-        {"bufferViews": [{**VIEW, "byteLength": 2**20}] * 1025},
-        f"expected at most 1073741824 bytes in buffer views, got {1025 * 2**20}{SIMPLER}",
-    ),
-    "accessors that overlap": (
-        {"accessors": [{**ACCESSOR, "count": 2**20}] * 100},
-        f"expected at most 1073741824 bytes in accessors, got {100 * 12 * 2**20}{SIMPLER}",
-    ),
-    "a mesh placed often": (
-        {"accessors": [{**ACCESSOR, "count": 2**20}], "nodes": [{"mesh": 0}] * 16},
-        f"expected at most {MANY} vertices and corners over all nodes, got {17 * 2**20}{SIMPLER}",
-    ),
-    "nothing placed often": (
-        {"meshes": [{"primitives": [{"attributes": {}}] * 5000}], "nodes": [{"mesh": 0}] * 5000},
-        f"expected at most {MANY} vertices and corners over all nodes, got {5001 * 5000}{SIMPLER}",
-    ),
-    "many nodes": ({"nodes": [{}] * 16385}, f"expected at most 16384 nodes, got 16385{SIMPLER}"),
-    "a node in itself": ({"nodes": [{"mesh": 0, "children": [0]}]}, DEEP),
-    "a node in two": ({"nodes": [{"children": [2]}, {"children": [2]}, {"mesh": 0}]}, DEEP),
-    "a long chain": ({"nodes": [*({"children": [i + 1]} for i in range(65)), {"mesh": 0}]}, DEEP),
-    "an accessor without data": (
-        {"accessors": [{"componentType": 5126, "count": 10**9, "type": "VEC3"}]},
-        'expected a valid glTF document, got {"componentType": 5126, "count": 1000000000, "type": "VEC3"} '
-        "at accessors[0].bufferView (Field required); export the mesh again",
-    ),
-    "a negative count": (
-        {"accessors": [{**ACCESSOR, "count": -1}]},
-        "expected a valid glTF document, got -1 at accessors[0].count "
-        "(Input should be greater than or equal to 0); export the mesh again",
-    ),
-}
-
-
-@pytest.mark.parametrize("changes, expected", BOMBS.values(), ids=BOMBS)
-def test_gltf_bomb(folder, changes, expected):
-    assert message(gltf(folder, **changes)) == expected
-
-
-def test_gltf_at_the_limits(folder):
-    chain = [*({"children": [i + 1]} for i in range(64)), {"mesh": 0}]
-    assert len(load_mesh(gltf(folder, nodes=chain)).triangles) == 1
-
-
-@pytest.mark.parametrize("text", [b"[1]", b"\xff", b"[" * 10**5, b'{"nodes": 3}'])
-def test_what_is_no_gltf(folder, text):
-    (folder / "a.gltf").write_bytes(text)
-    (folder / "model.gltf").write_text(json.dumps(document()))  # trimesh would read this one instead
-    assert message(folder / "a.gltf").startswith("expected a valid glTF document, got ")
-
-
-def png(width, height):
-    """A PNG file of a few bytes that declares any size."""
-    header = b"IHDR" + struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)
-    chunk = struct.pack(">I", 13) + header + struct.pack(">I", zlib.crc32(header))
-    return b"\x89PNG\r\n\x1a\n" + chunk + struct.pack(">I", 0) + b"IDAT"
-
-
-@pytest.mark.parametrize("width, height, fits", [(8192, 8192, True), (8192, 8193, False), (10**6, 10**6, False)])
-def test_images_in_glb(tmp_path, width, height, fits):
-    picture = png(width, height)
-    binary = CORNERS + picture
-    views = [VIEW, {"buffer": 0, "byteOffset": 36, "byteLength": len(picture)}]
-    text = json.dumps(
-        document(buffers=[{"byteLength": len(binary)}], bufferViews=views, images=[{"bufferView": 1}])
-    ).encode()
-    chunks = struct.pack("<I4s", len(text), b"JSON") + text + struct.pack("<I4s", len(binary), b"BIN\0") + binary
-    path = tmp_path / "a.glb"
-    path.write_bytes(struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks)
-    if fits:
-        assert len(load_mesh(path).triangles) == 1
-    else:
-        limit = gltf_document.PIXEL_LIMIT
-        assert message(path) == f"expected images of at most {limit} pixels, got more in images[0]{SIMPLER}"
 
 
 def test_all_is_wrong_with_a_scene_and_no_work_is_done(small, monkeypatch):

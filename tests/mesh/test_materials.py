@@ -1,7 +1,5 @@
 """Colours of the mesh file's materials, and the triangles they belong to."""
 
-import json
-
 import numpy as np
 import pytest
 
@@ -42,19 +40,6 @@ def test_materials_change_nothing_but_the_materials(tmp_path):
     bare = loaded(tmp_path, None).hashes()
     full = loaded(tmp_path, "newmtl red\nKd 1 0 0\nnewmtl grey\nKd 0.5 0.5 0.5\n").hashes()
     assert {name for name in bare if bare[name] != full[name]} == {"material"}
-
-
-def test_gltf_colours_are_those_of_the_file(asset, tmp_path):
-    """trimesh keeps 8 bits of them; two that differ below that are told apart by their names."""
-    document = json.loads(asset("gltf/rgb_cube_with_primitives.gltf").read_text())
-    colors = {"Red": [0.013, 0.5, 0.25, 1], "Green": [0.0131, 0.5, 0.25, 1], "Blue": None}
-    for material in document["materials"]:
-        material["pbrMetallicRoughness"].pop("baseColorFactor", None)
-        if colors[material["name"]]:
-            material["pbrMetallicRoughness"]["baseColorFactor"] = colors[material["name"]]
-    (tmp_path / "a.gltf").write_text(json.dumps(document))
-    found = {material.name: material.color for material in load_mesh(tmp_path / "a.gltf").materials}
-    assert found == {"Red": (0.013, 0.5, 0.25), "Green": (0.0131, 0.5, 0.25), "Blue": (1, 1, 1)}
 
 
 def test_asset_in_obj(asset):
