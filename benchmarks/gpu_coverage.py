@@ -16,8 +16,8 @@ from sss_ref import gl, webgl
 from sss_ref.errors import MeshError, SceneError
 from sss_ref.mesh.mesh_file import load_mesh
 from sss_ref.rendering.fold import render
-from sss_ref.scene.catalogue import method_of
-from sss_ref.scene.load import Scene, load_scene
+from sss_ref.scene.load import load_scene
+from sss_ref.scene.scene import Scene
 from sss_ref.scene_file.shipped import scene_names
 
 Buffers = Mapping[str, np.ndarray]
@@ -79,7 +79,7 @@ def main() -> None:
     for source in [*scene_names(), *paths]:
         try:
             for view, scene in views(source if isinstance(source, str) else around(source), sizes):
-                names = [n for n in method_of(scene.settings).outputs if "triangle" in n or n == LAYOUT]
+                names = [n for n in scene.method.outputs if "triangle" in n or n == LAYOUT]
                 for device in asked.devices:
                     bits, draw = DEVICES[device]
                     got = draw(scene, names)

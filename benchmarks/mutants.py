@@ -17,7 +17,6 @@ from sss_ref.errors import ShaderError
 from sss_ref.gl import draw
 from sss_ref.language import Stage
 from sss_ref.language.pipeline import REGISTERS
-from sss_ref.scene.catalogue import method_of
 from sss_ref.validation.cause.mutants import mutants
 
 KEPT = ("all", REGISTERS)
@@ -50,12 +49,7 @@ def judged_scene(name: str, options: argparse.Namespace) -> Counter[str]:
     small = {f"{table}.{side}": options.size for table in tables for side in ("width", "height")}
     scene = sss_ref.load_scene(name, **small, **dict(each.split("=", 1) for each in options.set))
     oracle, right = sss_ref.render(scene), draw(scene, keep=KEPT)
-    stages = {
-        stage.name: unbound(stage)
-        for one in method_of(scene.settings).passes
-        for stage in one.stages
-        if not one.on_demand
-    }
+    stages = {stage.name: unbound(stage) for one in scene.method.passes for stage in one.stages if not one.on_demand}
     counts: Counter[str] = Counter()
     for stage in stages.values():
         for number, mutant in enumerate(mutants(stage)):

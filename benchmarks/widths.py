@@ -21,7 +21,6 @@ from sss_ref.interpret.intervals.choices import CHOICE, TEXEL
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.language.types import components
 from sss_ref.rendering.result import Result
-from sss_ref.scene.catalogue import method_of_scene
 from sss_ref.scene_file.shipped import scene_names
 from sss_ref.validation.accept.acceptance import accepted
 from sss_ref.validation.accept.rebased import Judgement, Rebased, Step, stacked, walk
@@ -72,7 +71,7 @@ def widths(oracle: Result, profile: Profile) -> dict[str, list[Widths]]:
 def steps(oracle: Result, profile: Profile) -> Iterator[Step]:
     """Every stage of the scene on every chunk of its fragments, given what the oracle has."""
     rendering = Rebased(oracle, {})
-    for one in method_of_scene(oracle.scene).passes:
+    for one in oracle.scene.method.passes:
         if one.on_demand or one.feedback:
             continue
         work = rendering.work(one)

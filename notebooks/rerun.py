@@ -5,9 +5,9 @@ from typing import Any
 import numpy as np
 
 from sss_ref import Result
-from sss_ref.interpret.work import buffer_value, dtype_of, shape_of, store, uniform_value
+from sss_ref.interpret.work import buffer_value, store, uniform_value
 from sss_ref.language import Stage, ivec2
-from sss_ref.scene.uniforms import uniforms
+from sss_ref.language.layout import dtype_of, shape_of
 
 
 def rerun(stage: Stage, result: Result, /, **changed: Any) -> dict[str, np.ndarray]:
@@ -27,7 +27,7 @@ def inputs_of(stage: Stage, result: Result, at: tuple[np.ndarray, np.ndarray], /
     at: rows and columns (N,) of the camera's picture. result, changed: as in `rerun`.
     """
     rows, columns = at
-    given: dict[str, Any] = uniforms(result.scene) | dict(result.buffers) | changed
+    given: dict[str, Any] = result.scene.uniforms | dict(result.buffers) | changed
     pixel = ivec2(columns.astype(np.int32), rows.astype(np.int32))
     values: dict[str, Any] = {}
     for name, kind in stage.parameters.items():

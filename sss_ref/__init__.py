@@ -17,8 +17,9 @@ if TYPE_CHECKING:
     from sss_ref.explanation.explain import explain
     from sss_ref.rendering.fold import render
     from sss_ref.rendering.result import Result
-    from sss_ref.scene.load import Scene, load_scene
+    from sss_ref.scene.load import load_scene
     from sss_ref.scene.own_stage import with_stage
+    from sss_ref.scene.scene import Scene
     from sss_ref.validation.stage_by_stage import assert_valid, validate
 
 _HOMES = {
@@ -26,7 +27,7 @@ _HOMES = {
     "MeshError": "sss_ref.errors",
     "RenderError": "sss_ref.errors",
     "Result": "sss_ref.rendering.result",
-    "Scene": "sss_ref.scene.load",
+    "Scene": "sss_ref.scene.scene",
     "SceneError": "sss_ref.errors",
     "SssRefError": "sss_ref.errors",
     "StageError": "sss_ref.errors",

@@ -4,9 +4,7 @@ from sss_ref.cli import main
 from sss_ref.interpret.shader import DIALECTS, array_lengths, shader_files, stage_source
 from sss_ref.passes.phong import phong_shading
 from sss_ref.passes.translucency import translucency_beer
-from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import load_scene
-from sss_ref.scene.uniforms import uniforms
 from sss_ref.webgl import page
 
 
@@ -19,7 +17,7 @@ def test_a_stage_is_printed_with_what_it_uses(capsys):
 def test_other_dialects(dialect, tmp_path, capsys):
     assert main(["glsl", "phong_shading", "--dialect", dialect, "-o", str(tmp_path)]) == 0
     loaded = load_scene("default")
-    method, lengths = method_of(loaded.settings), array_lengths(uniforms(loaded))
+    method, lengths = loaded.method, array_lengths(loaded.uniforms)
     files = shader_files(method, lengths, DIALECTS[dialect])
     assert {path.name: path.read_text() for path in tmp_path.iterdir()} == files
     assert stage_source(phong_shading, lengths, DIALECTS[dialect]) in capsys.readouterr().out
@@ -35,7 +33,7 @@ def test_without_a_stage_passes_and_stages_are_listed(capsys):
 def test_the_shaders_of_all_passes_are_written(tmp_path, capsys):
     assert main(["glsl", "--scene", "figure5", "-o", str(tmp_path / "new" / "folder")]) == 0
     scene = load_scene("figure5")
-    files = shader_files(method_of(scene.settings), array_lengths(uniforms(scene)))
+    files = shader_files(scene.method, array_lengths(scene.uniforms))
     assert {path.name: path.read_text() for path in (tmp_path / "new" / "folder").iterdir()} == files
     assert "irradiance_fill.frag, " in capsys.readouterr().out
 
@@ -51,7 +49,7 @@ def test_shaders_write_registers_if_asked(tmp_path, capsys):
 def test_the_shaders_of_all_passes_are_printed(capsys):
     assert main(["glsl", "--scene", "wedge", "--all"]) == 0
     scene = load_scene("wedge")
-    files = shader_files(method_of(scene.settings), array_lengths(uniforms(scene)))
+    files = shader_files(scene.method, array_lengths(scene.uniforms))
     assert capsys.readouterr().out == "\n".join(f"// {name}\n{text}" for name, text in files.items()) + "\n"
 
 

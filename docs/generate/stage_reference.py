@@ -18,7 +18,6 @@ from sss_ref.language.typing_rules import type_name
 from sss_ref.methods.stages import stage_modules
 from sss_ref.passes.buffers import BUFFERS, is_listed
 from sss_ref.scene.load import load_scene
-from sss_ref.scene.uniforms import uniforms
 from sss_ref.scene_file.kernels import TABLE1
 
 ARRAYS = dict.fromkeys(("tap_offset", "tap_weight"), len(TABLE1))  # the uniform arrays of a shader, and their length
@@ -166,7 +165,7 @@ def origin(name: str) -> str:
 @cache
 def uniform_names() -> set[str]:
     """The uniforms of a scene with one light; how its surface is coloured says which it has besides."""
-    return {*uniforms(load_scene("wedge")), "albedo_map", "triangle_material", "material_color"}
+    return {*load_scene("wedge").uniforms, "albedo_map", "triangle_material", "material_color"}
 
 
 def readers(name: str) -> list[Stage]:

@@ -1,7 +1,6 @@
 """PORTING.md: what somebody must know who draws a bundle with a renderer of their own."""
 
-from sss_ref.language.pipeline import Method
-from sss_ref.scene.load import Scene
+from sss_ref.scene.scene import Scene
 
 TEXT = """# Porting this scene
 
@@ -42,19 +41,17 @@ loses is told apart only if the mapping file says so.
 """
 
 
-def guide(scene: Scene, method: Method) -> str:
+def guide(scene: Scene) -> str:
     """The text for one scene."""
     from sss_ref.interpret.shader import ARRAY_WIDTH
 
     listed = []
-    for number, one in enumerate((one for one in method.passes if not one.on_demand), start=1):
-        table = getattr(scene.settings, one.target)
-        stages = ", ".join(f"`{stage.name}`" for stage in one.stages)
-        listed.append(
-            f"{number}. `{one.name}`, {table.width} x {table.height}: {stages}. Writes {', '.join(one.outputs)}."
-        )
+    for number, each in enumerate((each for each in scene.method.passes if not each.on_demand), start=1):
+        width, height = scene.size(each)
+        stages = ", ".join(f"`{stage.name}`" for stage in each.stages)
+        listed.append(f"{number}. `{each.name}`, {width} x {height}: {stages}. Writes {', '.join(each.outputs)}.")
     return TEXT.format(
-        method=method.name,
+        method=scene.method.name,
         preset=scene.settings.preset,
         source=scene.source,
         mesh=scene.mesh.name,

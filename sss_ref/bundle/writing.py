@@ -9,16 +9,14 @@ import numpy as np
 
 from sss_ref.bundle.porting import guide
 from sss_ref.interpret.shader import ARRAY_WIDTH, array_lengths, draws, shader_files
-from sss_ref.interpret.work import CHANNELS
-from sss_ref.language.pipeline import Method, Pass, ScreenDraw
+from sss_ref.language.layout import CHANNELS
+from sss_ref.language.pipeline import Method, Pass
 from sss_ref.language.types import Array, Texture, vec2, vec3
 from sss_ref.language.typing_rules import type_name
-from sss_ref.passes.buffers import background, described
+from sss_ref.passes.buffers import described
 from sss_ref.results.whole_folder import appearing, writable
 from sss_ref.rules import RULES_VERSION
-from sss_ref.scene.catalogue import method_of_scene
-from sss_ref.scene.load import Scene
-from sss_ref.scene.uniforms import uniforms
+from sss_ref.scene.scene import Scene
 
 FORMAT = "sss_ref bundle 1"
 FORMATS = {float: "R32F", vec2: "RG32F", vec3: "RGB32F", int: "R32I", bool: "R8UI"}  # of what a shader writes
@@ -32,16 +30,16 @@ def write_bundle(scene: Scene, folder: Path) -> Path:
     Raises DumpError for a folder that cannot be written or is somebody else's.
     """
     folder = writable(folder, _is_bundle, "an earlier bundle")
-    values, method = uniforms(scene), method_of_scene(scene)
+    values, method = scene.uniforms, scene.method
     with appearing(folder) as part:
         _write_mesh(scene, part)
         _write_json(part / "uniforms.json", _uniforms(values, method, part))
-        _write_json(part / "passes.json", _passes(scene, method, values))
+        _write_json(part / "passes.json", _passes(scene))
         _write_json(part / "scene.json", scene.settings.model_dump(mode="json"))
         (part / "shaders").mkdir()
         for name, text in shader_files(method, array_lengths(values)).items():
             (part / "shaders" / name).write_text(text, encoding="utf-8")
-        (part / "PORTING.md").write_text(guide(scene, method), encoding="utf-8")
+        (part / "PORTING.md").write_text(guide(scene), encoding="utf-8")
     return folder
 
 
@@ -89,8 +87,8 @@ def _uniforms(values: Mapping[str, Any], method: Method, folder: Path) -> dict[s
 
 def _reads(method: Method) -> dict[str, Any]:
     """Name -> type of the uniforms of all passes."""
-    buffers = {name for one in method.passes for name in one.outputs}
-    read = {name: kind for one in method.passes for name, kind in {**one.reads, **one.draw.reads}.items()}
+    buffers = {name for each in method.passes for name in each.outputs}
+    read = {name: kind for each in method.passes for name, kind in {**each.reads, **each.draw.reads}.items()}
     return {name: kind for name, kind in read.items() if name not in buffers}
 
 
@@ -101,55 +99,53 @@ def _plain(value: Any) -> Any:
     return int(value) if isinstance(value, int | np.integer) else float(str(np.float32(value)))
 
 
-def _passes(scene: Scene, method: Method, values: Mapping[str, Any]) -> dict[str, Any]:
+def _passes(scene: Scene) -> dict[str, Any]:
     """What passes.json says."""
     passes: list[dict[str, Any]] = []
     there: set[str] = set()
-    for one in method.passes:
-        passes.append(_pass(scene, one, values, there))
-        there |= set(one.outputs)
-    about = {"format": FORMAT, "rules_version": RULES_VERSION, "method": method.name, "array_width": ARRAY_WIDTH}
+    for each in scene.method.passes:
+        passes.append(_pass(scene, each, there))
+        there |= set(each.outputs)
+    name = scene.method.name
+    about = {"format": FORMAT, "rules_version": RULES_VERSION, "method": name, "array_width": ARRAY_WIDTH}
     return {**about, "passes": passes}
 
 
-def _pass(scene: Scene, one: Pass, values: Mapping[str, Any], there: set[str]) -> dict[str, Any]:
-    table = getattr(scene.settings, one.target)
-    later_wins = scene.settings.irradiance_map.overlap == "last"
-    draw: dict[str, Any] = (
-        {"kind": "rectangle", "discards_where_0": one.draw.stencil}
-        if isinstance(one.draw, ScreenDraw)
-        else {
-            "kind": "mesh",
-            "depth_test": "less or equal" if one.draw.layout and later_wins else "less",
-            "cull": "none",
-        }
-    )
+def _pass(scene: Scene, this_pass: Pass, there: set[str]) -> dict[str, Any]:
+    width, height = scene.size(this_pass)
     return {
-        "name": one.name,
-        "only_on_demand": one.on_demand,
-        "width": table.width,
-        "height": table.height,
-        "draw": draw,
-        "reads": sorted({*one.reads, *one.draw.reads} & there),
-        "rounds": one.rounds,
-        "feedback": dict(one.feedback),
-        "vertex_shader": f"shaders/{one.name}.vert",
+        "name": this_pass.name,
+        "only_on_demand": this_pass.on_demand,
+        "width": width,
+        "height": height,
+        "draw": _draw(scene, this_pass),
+        "reads": sorted(this_pass.needs & there),
+        **this_pass.repetition,
+        "vertex_shader": f"shaders/{this_pass.name}.vert",
         "draws": [
             {
                 "fragment_shader": f"shaders/{name}.frag",
-                "targets": [_target(buffer, one.outputs[buffer], values) for buffer in outputs],
+                "targets": [_target(scene, buffer, this_pass.outputs[buffer]) for buffer in outputs],
             }
-            for name, outputs in draws(one, one.outputs).items()
+            for name, outputs in draws(this_pass, this_pass.outputs).items()
         ],
     }
 
 
-def _target(name: str, kind: Any, values: Mapping[str, Any]) -> dict[str, Any]:
+def _draw(scene: Scene, this_pass: Pass) -> dict[str, Any]:
+    """What is drawn, and with which tests."""
+    if not this_pass.draw.vertex_stages:
+        return {"kind": "rectangle", "discards_where_0": this_pass.draw.stencil}
+    later_wins = this_pass.draw.layout and scene.settings.irradiance_map.overlap == "last"
+    return {"kind": "mesh", "depth_test": "less or equal" if later_wins else "less", "cull": "none"}
+
+
+def _target(scene: Scene, name: str, kind: Any) -> dict[str, Any]:
     """A buffer that a shader writes: its texture's format, what it is cleared to, and what it holds."""
     return {
         "buffer": name,
         "format": FORMATS[kind],
         "filter": "nearest",
-        "clear": _plain(np.broadcast_to(background(name, values), CHANNELS[kind])),
+        "clear": _plain(np.broadcast_to(scene.clear(name), CHANNELS[kind])),
         "unit": described(name).unit,
     }

@@ -14,7 +14,7 @@ from sss_ref.cli.options import EVERYTHING, KERNELS, NO_CHANGES, Changes, Execut
 
 if TYPE_CHECKING:
     from sss_ref.rendering.result import Result
-    from sss_ref.scene.load import Scene
+    from sss_ref.scene.scene import Scene
 
 HASH_DIGITS = 12
 CUTTING_FAR = 4.2  # scene units: a far plane through the middle of the default scene's mesh
@@ -77,25 +77,21 @@ def _rendered(scene: "Scene", wanted: Wanted, execution: Execution, on_pass: Cal
     """What is wanted of a scene; the image of several samples is their average."""
     from sss_ref.rendering.fold import render as render_scene
     from sss_ref.rendering.samples import render_samples
-    from sss_ref.scene.catalogue import method_of_scene
-    from sss_ref.scene.until import buffers_until
 
     if wanted.samples != 1:
         return render_samples(scene, wanted.samples, execution.interpreter, execution.threads, on_pass)
-    keep = buffers_until(method_of_scene(scene), wanted.until) if wanted.until else wanted.keep or "all"
+    keep = scene.until(wanted.until) if wanted.until else wanted.keep or "all"
     return render_scene(scene, execution.interpreter, execution.threads, keep, on_pass)
 
 
 def _table_of_passes(result: "Result") -> Table:
     """One row a pass: its duration, its buffers and the first digits of their hashes."""
-    from sss_ref.scene.catalogue import method_of_scene
-
     table = Table("pass", "ms", "buffer", "sha256")
     table.columns[1].justify = "right"
-    for one in method_of_scene(result.scene).passes:
-        kept = [name for name in one.values if name in result.hashes]
+    for each in result.scene.method.passes:
+        kept = [name for name in each.values if name in result.hashes]
         digests = [result.hashes[name][:HASH_DIGITS] for name in kept]
-        if one.name in result.timings:
-            table.add_row(one.name, f"{result.timings[one.name] * 1e3:.0f}", "\n".join(kept), "\n".join(digests))
+        if each.name in result.timings:
+            table.add_row(each.name, f"{result.timings[each.name] * 1e3:.0f}", "\n".join(kept), "\n".join(digests))
             table.add_section()
     return table

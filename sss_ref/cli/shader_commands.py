@@ -34,12 +34,10 @@ def glsl(
 ) -> int:
     """Print a stage of a scene as a shader, or complete shaders for all passes, or list passes and stages."""
     from sss_ref.interpret.shader import DIALECTS, array_lengths, shader_files, stage_source
-    from sss_ref.scene.catalogue import method_of
     from sss_ref.scene.load import load_scene
-    from sss_ref.scene.uniforms import uniforms
 
     loaded = load_scene(scene, **changes.overrides())
-    method, lengths = method_of(loaded.settings), array_lengths(uniforms(loaded))
+    method, lengths = loaded.method, array_lengths(loaded.uniforms)
     files = shader_files(method, lengths, DIALECTS[dialect], registers) if all or output else {}
     if output is not None:
         _write(output, files)
@@ -84,16 +82,14 @@ def webgl(
     return 0
 
 
-def _stages(one: "Pass") -> "list[Stage]":
+def _stages(this_pass: "Pass") -> "list[Stage]":
     """The stages of a pass, the vertex stage first."""
-    from sss_ref.language.pipeline import MeshDraw
-
-    return [*([one.draw.vertex] if isinstance(one.draw, MeshDraw) else []), *one.stages]
+    return [*this_pass.draw.vertex_stages, *this_pass.stages]
 
 
 def _found(name: str, passes: "Iterable[Pass]") -> "Stage":
     """The stage of this name."""
-    stages = {stage.name: stage for one in passes for stage in _stages(one)}
+    stages = {stage.name: stage for each in passes for stage in _stages(each)}
     if name not in stages:
         raise SceneError(f"stage: expected a stage of the scene ({', '.join(stages)}), got {name!r}")
     return stages[name]

@@ -14,7 +14,7 @@ from sss_ref.errors import DumpError
 if TYPE_CHECKING:
     import numpy as np
 
-    from sss_ref.scene.load import Scene
+    from sss_ref.scene.scene import Scene
     from sss_ref.validation.stage_by_stage import Drawing
 
 

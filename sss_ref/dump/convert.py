@@ -3,12 +3,12 @@
 import numpy as np
 
 from sss_ref.dump.encoding import Encoding, decoded, scaled, storage_of
-from sss_ref.dump.slots import Slot
 from sss_ref.dump.sources import Source
 from sss_ref.dump.texels import StoredTexels
 from sss_ref.dump.vectors import in_world, octahedral, unit_range
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import told
+from sss_ref.scene.forms import Form
 from sss_ref.view.views import View
 
 USUAL_NAMES = {1: ("R", "Y", "Z"), 2: ("RG", "UV", "XY"), 3: ("RGB", "XYZ")}  # by count
@@ -17,32 +17,32 @@ EXACT_BELOW = 2.0**31  # what int32 can hold; float32 holds far fewer, but all i
 Converted = tuple[np.ndarray, Encoding, tuple[str, ...]]
 
 
-def converted(source: Source, slot: Slot, parts: tuple[StoredTexels, ...], camera: View) -> Converted:
+def converted(source: Source, form: Form, parts: tuple[StoredTexels, ...], camera: View) -> Converted:
     """The buffer, how it was stored, and notes on what was passed over. Raises DumpError for what does not fit."""
-    _check_keys(source, slot)
+    _check_keys(source, form)
     table = source.table
-    count = 2 if table.normals == "octahedral" else slot.channels
+    count = 2 if table.normals == "octahedral" else form.channels
     texels, channels = _chosen(source, parts, count)
-    _check_size(source, slot, texels)
+    _check_size(source, form, texels)
     storage = storage_of(texels.storage, table.encoding, source.at("encoding"))
     picked = texels.data[..., [texels.channels.index(name) for name in channels]]
     upright = picked[::-1] if source.origin == "top" else picked
     values = scaled(decoded(upright, channels, storage, source.at("encoding")), table.scale, table.offset)
-    data = _typed(_vectors(values, source, slot, camera), slot, source)
-    shaped = data[..., 0] if slot.channels == 1 else data
+    data = _typed(_vectors(values, source, form, camera), form, source)
+    shaped = data[..., 0] if form.channels == 1 else data
     return np.ascontiguousarray(shaped), Encoding(storage, **table.stored), _notes(source, texels, channels)
 
 
-def _check_keys(source: Source, slot: Slot) -> None:
+def _check_keys(source: Source, form: Form) -> None:
     """Raise DumpError for a key that this buffer or file cannot have, or lacks."""
     table = source.table
     if source.origin is None:
         raise DumpError(told(source.at("origin"), '"top" or "bottom" for a raw file', "nothing", "add it"))
-    if table.space == "view" and not slot.is_spatial:
-        expected = f'"world", as {slot.name} has no space'
+    if table.space == "view" and not form.is_spatial:
+        expected = f'"world", as {form.name} has no space'
         raise DumpError(told(source.at("space"), expected, '"view"', "remove it"))
-    if table.normals != "xyz" and not slot.is_direction:
-        expected = f'"xyz", as {slot.name} is no normal'
+    if table.normals != "xyz" and not form.is_direction:
+        expected = f'"xyz", as {form.name} is no normal'
         raise DumpError(told(source.at("normals"), expected, f'"{table.normals}"', "remove it"))
 
 
@@ -84,39 +84,39 @@ def _usual_channels(there: tuple[str, ...], count: int) -> tuple[str, ...] | Non
     return there if len(there) == count == 1 else None
 
 
-def _check_size(source: Source, slot: Slot, texels: StoredTexels) -> None:
+def _check_size(source: Source, form: Form, texels: StoredTexels) -> None:
     height, width = texels.data.shape[:2]
-    if (width, height) != (slot.width, slot.height):
-        expected = f"{slot.width} x {slot.height} pixels, as {slot.target} of the scene"
-        came = f"{width} x {height} of {slot.name}"
+    if (width, height) != (form.width, form.height):
+        expected = f"{form.width} x {form.height} pixels, as {form.target} of the scene"
+        came = f"{width} x {height} of {form.name}"
         raise DumpError(told(str(source.path), expected, came, "dump it in that size or change the scene"))
 
 
-def _vectors(values: np.ndarray, source: Source, slot: Slot, camera: View) -> np.ndarray:
+def _vectors(values: np.ndarray, source: Source, form: Form, camera: View) -> np.ndarray:
     """Directions taken out of their encoding, and all vectors in world space."""
     if source.table.normals == "n*.5+.5":
         values = unit_range(values)
     elif source.table.normals == "octahedral":
         values = octahedral(values)
-    return in_world(values, camera, slot.is_direction) if source.table.space == "view" else values
+    return in_world(values, camera, form.is_direction) if source.table.space == "view" else values
 
 
-def _typed(values: np.ndarray, slot: Slot, source: Source) -> np.ndarray:
+def _typed(values: np.ndarray, form: Form, source: Source) -> np.ndarray:
     """The values in the buffer's type. Raises DumpError where one has no equal there."""
-    if slot.dtype.kind == "f":
+    if form.dtype.kind == "f":
         if values.dtype.kind != "f":
             expected, remedy = "floats, or a byte's share of 1", 'set encoding = "unorm8" or dump floats'
-            raise DumpError(told(source.at("encoding"), f"{expected} for {slot.name}", "integers", remedy))
+            raise DumpError(told(source.at("encoding"), f"{expected} for {form.name}", "integers", remedy))
         return values.astype(np.float32, copy=False)
-    if slot.dtype.kind == "u":
+    if form.dtype.kind == "u":
         is_held, expected = (values == 0) | (values == 1), "0 or 1"
     else:
         is_held, expected = (np.abs(values) < EXACT_BELOW) & (np.rint(values) == values), "whole numbers"
-    if values.dtype != slot.dtype and not is_held.all():
+    if values.dtype != form.dtype and not is_held.all():
         row, column = np.argwhere(~is_held)[0][:2].tolist()
         came = f"{values[row, column, 0]!s} at pixel {column},{row} (column,row; row 0 at the bottom)"
-        raise DumpError(told(str(source.path), f"{expected} in {slot.name}", came, "check encoding, scale and offset"))
-    return values.astype(slot.dtype)
+        raise DumpError(told(str(source.path), f"{expected} in {form.name}", came, "check encoding, scale and offset"))
+    return values.astype(form.dtype)
 
 
 def _notes(source: Source, texels: StoredTexels, channels: tuple[str, ...]) -> tuple[str, ...]:

@@ -12,13 +12,13 @@ from sss_ref.dump.encoding import Encoding
 from sss_ref.dump.files import parts_of
 from sss_ref.dump.formats.raw import RawLayout
 from sss_ref.dump.mapping import Origin
-from sss_ref.dump.slots import Slot, slots_of
 from sss_ref.dump.sources import Source, known_only, sources_of
 from sss_ref.dump.texels import StoredTexels
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import nearest, told
 from sss_ref.results.diff import bits
-from sss_ref.scene.load import Scene
+from sss_ref.scene.forms import Form
+from sss_ref.scene.scene import Scene
 
 Parts = Callable[[Path, RawLayout | None], tuple[StoredTexels, ...]]
 
@@ -73,28 +73,28 @@ def read_dump(path: Path, scene: Scene, origin: Origin | None = None) -> Dump:
     line for every buffer that cannot be used: unknown to the scene's method, unreadable, of another size, or of values
     that its type cannot hold.
     """
-    slots = slots_of(scene)
-    sources = known_only(sources_of(path, origin), slots)
+    forms = scene.forms
+    sources = known_only(sources_of(path, origin), forms)
     if not sources.found:
-        raise DumpError(told(str(path), f"a file for a buffer ({', '.join(slots)})", "none", "name the files so"))
+        raise DumpError(told(str(path), f"a file for a buffer ({', '.join(forms)})", "none", "name the files so"))
     parts = lru_cache(maxsize=1)(parts_of)  # several buffers may lie in one file
     found, problems = {}, []
     for source in sorted(sources.found, key=lambda source: str(source.path)):
         try:
-            found[source.name] = _buffer(source, slots, parts, scene)
+            found[source.name] = _buffer(source, forms, parts, scene)
         except DumpError as error:
             problems.append(str(error))
     if problems:
         raise DumpError("\n".join(problems))
-    return Dump({name: found[name] for name in slots if name in found}, sources.notes, sources.device)
+    return Dump({name: found[name] for name in forms if name in found}, sources.notes, sources.device)
 
 
-def _buffer(source: Source, slots: Mapping[str, Slot], parts: Parts, scene: Scene) -> DumpedBuffer:
-    if source.name not in slots:
+def _buffer(source: Source, forms: Mapping[str, Form], parts: Parts, scene: Scene) -> DumpedBuffer:
+    if source.name not in forms:
         where = f"{source.mapping}: buffers.{source.name}"
-        raise DumpError(told(where, "a buffer of this scene", "this one", nearest(source.name, slots)))
+        raise DumpError(told(where, "a buffer of this scene", "this one", nearest(source.name, forms)))
     layout = RawLayout(source.table.shape, source.table.dtype) if source.table.shape and source.table.dtype else None
-    data, encoding, notes = converted(source, slots[source.name], parts(source.path, layout), scene.camera)
+    data, encoding, notes = converted(source, forms[source.name], parts(source.path, layout), scene.camera)
     buffer = DumpedBuffer(source.name, data, encoding, source.path, notes)
     return replace(buffer, notes=(*notes, *_oddities(buffer)))
 

@@ -8,17 +8,16 @@ import numpy as np
 
 from sss_ref.errors import SceneError
 from sss_ref.explanation.places import Place, place_of
-from sss_ref.interpret import arrays
 from sss_ref.interpret.arrays import draw_values, stage_input
 from sss_ref.interpret.trace import Bounds, Step, scalar, trace
 from sss_ref.interpret.work import Fragments, Work, uniform_value
 from sss_ref.language.pipeline import MESH_ATTRIBUTES, MeshDraw, Pass
 from sss_ref.language.stage import Stage
 from sss_ref.raster.interpolate import weights_arrays
-from sss_ref.rendering.fold import Rendering, render
+from sss_ref.rendering.draw import Machine, draw, shade
+from sss_ref.rendering.fold import render
 from sss_ref.rendering.result import Result
-from sss_ref.scene.catalogue import method_of_scene
-from sss_ref.scene.load import Scene
+from sss_ref.scene.scene import Scene
 from sss_ref.scene_file.viewpoints import Camera
 
 
@@ -96,13 +95,10 @@ def explain(
     seen = scene.scene if isinstance(scene, Result) else scene
     _check_pixel(pixel, seen.settings.camera)
     result = scene if isinstance(scene, Result) else render(scene, interpreter, threads)
-    method = method_of_scene(seen)
-    for missing in (name for name in method.outputs if name not in result.buffers):
+    for missing in (name for name in seen.method.outputs if name not in result.buffers):
         raise SceneError(f'scene: expected all buffers in the rendering, got no {missing}; render with keep="all"')
-    rendering = Rendering(result.scene, arrays, None, set(result.buffers))
-    rendering.buffers.update(result.buffers)
-    passes = [one for one in method.passes if not one.on_demand]
-    traced = [_traced(rendering, one, place_of(one, rendering.size(one), result.buffers, pixel)) for one in passes]
+    passes = [each for each in seen.method.passes if not each.on_demand]
+    traced = [_traced(result, each, place_of(each, seen.size(each), result.buffers, pixel)) for each in passes]
     return Explanation(result, pixel, tuple(traced))
 
 
@@ -115,30 +111,36 @@ def _check_pixel(pixel: tuple[int, int], camera: Camera) -> None:
         )
 
 
-def _traced(rendering: Rendering, one: Pass, place: Place) -> PassTrace:
+def _traced(result: Result, this_pass: Pass, place: Place) -> PassTrace:
     """One pass at one place of its target."""
-    if not one.rounds:
-        place = Place(None, "no round: what it reads is what it gives")
     if place.pixel is None:
-        return PassTrace(one.name, place, None, ())
-    fragments, _ = rendering.draw(one)
+        return PassTrace(this_pass.name, place, None, ())
+    fragments = draw(result.scene, this_pass, result.buffers, Machine()).fragments
     column, row = place.pixel
     if not fragments.where[row, column]:
-        return PassTrace(one.name, replace(place, reason=f"{place.reason}; nothing is drawn there"), None, ())
-    work = Work(one, fragments, rendering.uniforms, _inputs(rendering, one, fragments), {}, {})
+        return PassTrace(this_pass.name, replace(place, reason=f"{place.reason}; nothing is drawn there"), None, ())
+    inputs = _inputs(result, this_pass, fragments)
+    if inputs is None:
+        return PassTrace(this_pass.name, Place(None, "no round: what it reads is what it gives"), None, ())
+    work = Work(this_pass, fragments, result.scene.uniforms, inputs, {}, {})
     at = np.array([row]), np.array([column])
     values = {name: scalar(value) for name, value in draw_values(work, *at).items()}
-    drawn = _drawn(rendering, work, place.pixel, values) if isinstance(one.draw, MeshDraw) else None
-    return PassTrace(one.name, place, drawn, tuple(_stages(work, at, values)))
+    drawn = _drawn(result, work, place.pixel, values) if this_pass.draw.vertex_stages else None
+    return PassTrace(this_pass.name, place, drawn, tuple(_stages(work, at, values)))
 
 
-def _inputs(rendering: Rendering, one: Pass, fragments: Fragments) -> Mapping[str, np.ndarray]:
-    """The buffers that the last round of a pass reads."""
-    buffers = rendering.buffers
-    for _ in range(one.rounds - 1):
-        outputs = rendering.shade(one, fragments, buffers, list(one.outputs))
-        buffers = buffers | {name: outputs[own] for name, own in one.feedback.items()}
-    return buffers
+def _inputs(result: Result, this_pass: Pass, fragments: Fragments) -> Mapping[str, np.ndarray] | None:
+    """The buffers that the last round of a pass reads; None where it runs no round."""
+    if not this_pass.fed_back:
+        return result.buffers
+    read: list[Mapping[str, np.ndarray]] = []
+
+    def shaded(buffers: Mapping[str, np.ndarray]) -> Mapping[str, np.ndarray]:
+        read.append(buffers)
+        return shade(result.scene, this_pass, fragments, buffers, [*this_pass.fed_back], Machine())
+
+    this_pass.folded(result.buffers, shaded)
+    return read[-1] if read else None
 
 
 def _stages(work: Work, at: tuple[np.ndarray, np.ndarray], values: dict[str, Any]) -> Iterator[StageTrace]:
@@ -151,7 +153,7 @@ def _stages(work: Work, at: tuple[np.ndarray, np.ndarray], values: dict[str, Any
         yield StageTrace(stage, dict(zip(stage.reads.values(), inputs, strict=True)), steps, writes)
 
 
-def _drawn(rendering: Rendering, work: Work, pixel: tuple[int, int], values: Mapping[str, Any]) -> Drawn:
+def _drawn(result: Result, work: Work, pixel: tuple[int, int], values: Mapping[str, Any]) -> Drawn:
     """The triangle under a pixel, its corners, and what is interpolated between them."""
     draw, fragments = work.this_pass.draw, work.fragments
     assert isinstance(draw, MeshDraw) and fragments.piece is not None and fragments.primitives is not None
@@ -159,21 +161,21 @@ def _drawn(rendering: Rendering, work: Work, pixel: tuple[int, int], values: Map
     piece = fragments.piece[row, column]
     weights = weights_arrays(primitives, np.array([piece]), np.array([column]), np.array([row]), fragments.step)[:, 0]
     triangle = int(primitives.triangle[piece])
-    own = rendering.scene.mesh.triangles[triangle]
+    own = result.scene.mesh.triangles[triangle]
     corners = primitives.corners[piece]
     return Drawn(
         triangle,
         tuple(Corner(int(v), w, primitives.inverse_w[v]) for v, w in zip(corners, weights, strict=True)),
         not np.array_equal(own, corners),
-        tuple(_vertex(rendering, draw.vertex, int(vertex)) for vertex in own),
+        tuple(_vertex(result, draw.vertex, int(vertex)) for vertex in own),
         {name: values[name] for name in fragments.varyings},
     )
 
 
-def _vertex(rendering: Rendering, stage: Stage, vertex: int) -> StageTrace:
+def _vertex(result: Result, stage: Stage, vertex: int) -> StageTrace:
     """The vertex stage at one vertex of the mesh."""
-    given = {name: attribute[vertex] for name, attribute in rendering.scene.mesh.attributes.items()}
-    uniforms = rendering.uniforms | rendering.buffers
+    given = {name: attribute[vertex] for name, attribute in result.scene.mesh.attributes.items()}
+    uniforms = {**result.scene.uniforms, **result.buffers}
     inputs = [
         uniform_value(kind, given[own] if own in MESH_ATTRIBUTES else uniforms[stage.reads[own]])
         for own, kind in stage.parameters.items()

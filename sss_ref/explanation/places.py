@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sss_ref.language.names import Name
 from sss_ref.language.pipeline import Pass
 from sss_ref.language.sampling import nearest_texel
 from sss_ref.language.types import ivec2, vec2
@@ -22,14 +23,14 @@ def place_of(one: Pass, size: tuple[int, int], buffers: Mapping[str, np.ndarray]
     """Where a pass with a target of this size (width, height) is to be looked at, for a pixel of the image."""
     if one.target == "camera":
         return Place(pixel, "the pixel itself")
-    number = one.name.removeprefix(one.name.rstrip("0123456789"))
-    suffix = f"_{number}" if number else ""
+    light = Name.of(one.name).light
+    shadow_uv, shadow_valid, looked_up = (
+        str(Name(base, light)) for base in ("shadow_uv", "shadow_valid", "irradiance_uv")
+    )
     if one.target == "shadow_map":
-        if "shadow_uv" + suffix not in buffers:
+        if shadow_uv not in buffers:
             return Place(None, "looked up at the vertices, see there")
-        valid = f"shadow_valid{suffix}"
-        return _texel("shadow_uv" + suffix, size, buffers, pixel, hit=bool(buffers[valid][pixel[::-1]]))
-    looked_up = "irradiance_uv" + suffix
+        return _texel(shadow_uv, size, buffers, pixel, hit=bool(buffers[shadow_valid][pixel[::-1]]))
     name = looked_up if looked_up in buffers else "uv"
     return _texel(name, size, buffers, pixel, hit=bool(buffers["coverage"][pixel[::-1]]))
 

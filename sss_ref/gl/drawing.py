@@ -11,12 +11,8 @@ from sss_ref.gl.canvas import Canvas
 from sss_ref.gl.context import open_context
 from sss_ref.gl.shaders import Files, ShaderPair, own_shaders, user_shaders
 from sss_ref.gl.uploads import downloaded, filled
-from sss_ref.language.pipeline import MeshDraw, Method, Pass
-from sss_ref.passes.buffers import background
-from sss_ref.scene.catalogue import method_of_scene
-from sss_ref.scene.load import Scene
-from sss_ref.scene.uniforms import uniforms
-from sss_ref.scene.until import buffers_kept
+from sss_ref.language.pipeline import Pass
+from sss_ref.scene.scene import Scene
 
 if TYPE_CHECKING:
     from moderngl import Program, Texture
@@ -35,16 +31,15 @@ def draw(
     Raises ShaderError where there is no OpenGL, a shader does not compile, or a pass reads what a shader left out, and
     SceneError for an unknown buffer.
     """
-    method = method_of_scene(scene)
-    kept = buffers_kept(method, keep)
-    passes = {one.name: one for one in method.passes if not one.on_demand or kept & set(one.outputs)}
+    kept = scene.kept(keep)
+    passes = {each.name: each for each in scene.method.passes if not each.on_demand or kept & set(each.outputs)}
     for wrong in set(shaders or ()) - set(passes):
-        raise ShaderError(f"shaders: expected passes of {method.name} ({', '.join(passes)}), got {wrong!r}")
+        raise ShaderError(f"shaders: expected passes of {scene.method.name} ({', '.join(passes)}), got {wrong!r}")
     context = open_context()
     try:
-        drawing = _Drawing(scene, method, shaders or {}, Canvas(context, uniforms(scene)), kept)
-        for one in passes.values():
-            drawing.run(one)
+        drawing = _Drawing(scene, shaders or {}, Canvas(context, scene.uniforms), kept)
+        for each in passes.values():
+            drawing.run(each)
         return drawing.buffers
     finally:
         context.release()
@@ -55,7 +50,6 @@ class _Drawing:
     """One run through a method: the textures that are there so far."""
 
     scene: Scene
-    method: Method
     shaders: Mapping[str, Files]
     canvas: Canvas
     kept: set[str]
@@ -66,43 +60,43 @@ class _Drawing:
     @property
     def buffers(self) -> dict[str, np.ndarray]:
         """What is to be kept and was drawn, in stage order."""
-        there = [name for name in self.method.values if name in self.kept and name in self.textures]
-        return {name: downloaded(self.textures[name], self.method.values[name]) for name in there}
+        values = self.scene.method.values
+        there = [name for name in values if name in self.kept and name in self.textures]
+        return {name: downloaded(self.textures[name], values[name]) for name in there}
 
-    def run(self, one: Pass) -> None:
+    def run(self, this_pass: Pass) -> None:
         """Draw a pass as often as it has rounds, and keep what it writes."""
-        for name in sorted(one.needs & set(self.method.outputs) - set(self.textures)):
+        for name in sorted(this_pass.needs & set(self.scene.method.outputs) - set(self.textures)):
             raise ShaderError(
-                f"pass {one.name}: expected the buffer {name}, which no shader wrote; write it as an output"
+                f"pass {this_pass.name}: expected the buffer {name}, which no shader wrote; write it as an output"
             )
-        programs = [(pair, pair.compiled(self.canvas.context)) for pair in self.pairs(one)]
-        outputs = {own: self.textures[name] for name, own in one.feedback.items()}
-        for _ in range(one.rounds):
-            read = self.textures | {name: outputs[own] for name, own in one.feedback.items()}
-            outputs = {}
+        programs = [(pair, pair.compiled(self.canvas.context)) for pair in self.pairs(this_pass)]
+
+        def draw_all(read: "Mapping[str, Texture]") -> "dict[str, Texture]":
+            outputs: dict[str, Texture] = {}
             for pair, program in programs:
                 self.canvas.hand_over(program, read, pair.name)
-                outputs |= self.draw(one, pair, program)
-        self.textures |= outputs
+                outputs |= self.draw(this_pass, pair, program)
+            return outputs
 
-    def pairs(self, one: Pass) -> list[ShaderPair]:
+        self.textures |= this_pass.folded(self.textures, draw_all)
+
+    def pairs(self, this_pass: Pass) -> list[ShaderPair]:
         """The shaders of a pass."""
         lengths = self.canvas.lengths
-        if one.name not in self.shaders:
-            return own_shaders(one, self.textures, self.kept | set(one.outputs), lengths)
-        theirs = user_shaders(one, self.shaders[one.name], lengths)
+        if this_pass.name not in self.shaders:
+            return own_shaders(this_pass, self.textures, self.kept | set(this_pass.outputs), lengths)
+        theirs = user_shaders(this_pass, self.shaders[this_pass.name], lengths)
         written = {name for pair in theirs for name in pair.outputs}
-        return theirs + own_shaders(one, self.textures, set(one.draw.outputs) - written, lengths)
+        return theirs + own_shaders(this_pass, self.textures, set(this_pass.draw.outputs) - written, lengths)
 
-    def draw(self, one: Pass, pair: ShaderPair, program: "Program") -> "dict[str, Texture]":
+    def draw(self, this_pass: Pass, pair: ShaderPair, program: "Program") -> "dict[str, Texture]":
         """One draw into fresh textures."""
-        table = getattr(self.scene.settings, one.target)
-        size, kinds = (table.width, table.height), one.values
-        clear = {name: background(name, self.canvas.uniforms) for name in pair.outputs}
-        written = {name: filled(self.canvas.context, kinds[name], size, value) for name, value in clear.items()}
-        if isinstance(one.draw, MeshDraw):
+        context, size, kinds = self.canvas.context, self.scene.size(this_pass), this_pass.values
+        written = {name: filled(context, kinds[name], size, self.scene.clear(name)) for name in pair.outputs}
+        if this_pass.draw.vertex_stages:
             vertices = self.canvas.vertices(program, self.scene.mesh.attributes, self.scene.mesh.triangles)
-            later_wins = one.draw.layout and self.scene.settings.irradiance_map.overlap == "last"
+            later_wins = this_pass.draw.layout and self.scene.settings.irradiance_map.overlap == "last"
             self.canvas.triangles(vertices, written.values(), later_wins)
         else:
             self.canvas.rectangle(program, written.values())

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from sss_ref.errors import ShaderError
 from sss_ref.interpret.shader import GLSL, OUT, draws, fragment_shader, vertex_shader
+from sss_ref.language.names import Name
 from sss_ref.language.pipeline import Pass
 from sss_ref.scene.catalogue import method_of
 from sss_ref.scene_file.settings import SceneFile
@@ -55,7 +56,7 @@ def shader_folder(folder: Path, settings: SceneFile) -> dict[str, list[Path]]:
     Those of a pass on demand are left out. Raises ShaderError for a folder without any, and for a file that no pass has
     the name of.
     """
-    on_demand = {one.name: one.on_demand for one in method_of(settings).passes}
+    on_demand = {each.name: each.on_demand for each in method_of(settings).passes}
     passes = [name for name in on_demand if not on_demand[name]]
     paths = sorted(path for path in folder.glob("*") if path.suffix in (".vert", ".frag"))
     if not paths:
@@ -64,7 +65,7 @@ def shader_folder(folder: Path, settings: SceneFile) -> dict[str, list[Path]]:
         )
     files: dict[str, list[Path]] = {}
     for path in paths:
-        name = next((name for name in (path.stem, re.sub(r"_\d+$", "", path.stem)) if name in on_demand), None)
+        name = next((name for name in (path.stem, Name.of(path.stem).base) if name in on_demand), None)
         if name is None:
             raise ShaderError(f"{path}: expected the name of a pass ({', '.join(passes)}), got {path.stem}; rename it")
         files.setdefault(name, []).append(path)

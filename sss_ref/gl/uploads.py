@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from sss_ref.interpret.shader import ARRAY_WIDTH, array_lengths
-from sss_ref.interpret.work import CHANNELS, dtype_of, shape_of
+from sss_ref.language.layout import CHANNELS, dtype_of, shape_of
 from sss_ref.language.types import vec3
 
 if TYPE_CHECKING:

@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.interpret.work import CHANNELS, Work, buffer_value, store, uniform_value
+from sss_ref.interpret.work import Work, buffer_value, store, uniform_value
+from sss_ref.language.layout import CHANNELS
 from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL, MeshDraw, Pass
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import components, ivec2

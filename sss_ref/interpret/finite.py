@@ -8,7 +8,8 @@ import numpy as np
 from sss_ref.cache.compiled import compiled
 from sss_ref.errors import RenderError
 from sss_ref.interpret.arrays import draw_values, run_stages
-from sss_ref.interpret.work import FLOAT32, Work
+from sss_ref.interpret.work import Work
+from sss_ref.language.layout import FLOAT32
 from sss_ref.language.types import Array, Texture, components
 
 INFINITY = 0x7F800000  # bit pattern of float32 infinity; NaNs lie above

@@ -6,13 +6,10 @@ from typing import Any, get_origin
 
 import numpy as np
 
+from sss_ref.language.layout import CHANNELS
 from sss_ref.language.pipeline import Pass
-from sss_ref.language.types import Array, Texture, Vector, components, ivec2, mat3, mat4, vec2, vec3, vec4
+from sss_ref.language.types import Array, Texture, Vector, components, mat3, mat4
 from sss_ref.raster.primitives import Primitives
-
-CHANNELS = {float: 1, int: 1, bool: 1, vec2: 2, ivec2: 2, vec3: 3, vec4: 4}
-DTYPES: dict[Any, np.dtype] = {int: np.dtype("<i4"), bool: np.dtype("u1")}
-FLOAT32 = np.dtype("<f4")
 
 
 @dataclass(frozen=True)
@@ -56,16 +53,6 @@ class Work:
     buffers: Mapping[str, np.ndarray]
     outputs: Mapping[str, np.ndarray]
     backgrounds: Mapping[str, np.ndarray]
-
-
-def dtype_of(kind: Any) -> np.dtype:
-    """The element type of a buffer that holds values of a type."""
-    return DTYPES.get(kind, FLOAT32)
-
-
-def shape_of(kind: Any, width: int, height: int) -> tuple[int, ...]:
-    """The shape of a buffer that holds values of a type: (H, W), or (H, W, C) for vectors."""
-    return (height, width) if CHANNELS[kind] == 1 else (height, width, CHANNELS[kind])
 
 
 def uniform_value(kind: Any, raw: Any) -> Any:

@@ -3,15 +3,14 @@
 from sss_ref.language import Stage
 from sss_ref.language.pipeline import Method, Pass, ScreenDraw
 from sss_ref.methods.per_light import Lights
-from sss_ref.methods.shared import CAMERA_VIEW, behind_the_surface, shadow_maps
+from sss_ref.methods.shared import CAMERA_VIEW, NEUTRAL, behind_the_surface, shadow_maps
 from sss_ref.passes import blur, composite, translucency
-from sss_ref.passes.buffers import PARTIAL
 from sss_ref.scene_file.settings import SceneFile
 
-COMBINE = {
-    "multiply": translucency.lit_multiply,
-    "add": translucency.lit_add,
-    "transmit": translucency.lit_transmit,
+COMBINE = {  # how T joins the light, and the T that changes nothing
+    "multiply": (translucency.lit_multiply, 1.0),
+    "add": (translucency.lit_add, 0.0),
+    "transmit": (translucency.lit_transmit, 0.0),
 }
 BLUR = {"none": blur.scatter, "output": blur.scatter, "taps": blur.scatter_inside}
 
@@ -21,17 +20,19 @@ def screen_space(settings: SceneFile) -> Method:
     lights = Lights(settings)
     masked = settings.blur.mask != "none"
     stencil = ScreenDraw("coverage" if masked else "")
-    lit = (*lights.each(COMBINE[settings.translucency.combine]), *lights.summed("lit"))
+    combine, neutral = COMBINE[settings.translucency.combine]
+    lit = (*lights.each(combine), *lights.summed("lit"))
     camera = (*behind_the_surface(settings, lights), *lit)
     return Method(
         "screen_space",
         passes=(
             *shadow_maps(lights),
-            Pass("camera", "camera", CAMERA_VIEW, camera, registers=(PARTIAL,)),
+            Pass("camera", "camera", CAMERA_VIEW, camera),
             Pass("blur", "camera", stencil, (BLUR[settings.blur.mask],)),
             Pass("taps", "camera", stencil, single_taps(settings), on_demand=True),
             Pass("composite", "camera", ScreenDraw(), (composite.over_background if masked else composite.glow,)),
         ),
+        constants={NEUTRAL: neutral},
     )
 
 

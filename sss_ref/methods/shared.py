@@ -1,8 +1,9 @@
 """What both methods share: the light's views, the camera's view, and the stages up to Phong and translucency."""
 
 from sss_ref.language import Stage
+from sss_ref.language.names import Name
 from sss_ref.language.pipeline import MeshDraw, Pass
-from sss_ref.methods.per_light import Lights
+from sss_ref.methods.per_light import Lights, of_light
 from sss_ref.passes import phong, shadow_map, translucency
 from sss_ref.passes.camera import albedo_by_material, albedo_constant, albedo_textured, surface
 from sss_ref.passes.vertex import mesh_vertex
@@ -18,31 +19,30 @@ FORM = {
     "beer": translucency.translucency_beer,
 }
 
+NEUTRAL = "translucency_neutral"  # the uniform with the T that leaves the colour as it is
+
 LIGHT_VIEW = MeshDraw(mesh_vertex.bound(clip_from_model="light_clip_from_model"), "light_triangle", "light_depth")
 CAMERA_VIEW = MeshDraw(mesh_vertex.bound(clip_from_model="camera_clip_from_model"), "triangle", "depth", "coverage")
 
 
 def shadow_maps(lights: Lights, *more: Stage) -> tuple[Pass, ...]:
     """The shadow map of every light; `more`: what it stores beside the distance."""
-    passes = []
-    for suffix in lights.suffixes:
-        rename = lights.numbered(suffix)
-        stages = tuple(stage.renamed(rename) for stage in (shadow_map.distance_to_light, *more))
-        passes.append(Pass(f"shadow_map{suffix}", "shadow_map", lights.draw(LIGHT_VIEW, suffix), stages))
-    return tuple(passes)
+    stages = (shadow_map.distance_to_light, *more)
+    named = [(light, str(Name("shadow_map", light))) for light in lights.numbers]
+    return tuple(Pass(name, "shadow_map", LIGHT_VIEW, stages).renamed(of_light(light)) for light, name in named)
 
 
 def light_at_the_surface(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
     """For every light: what the shadow map knows of a point, whether the light reaches it, and how strong it is."""
     stages: list[Stage] = []
-    for suffix, falloff in zip(lights.suffixes, lights.falloffs, strict=True):
+    for light, falloff in zip(lights.numbers, lights.falloffs, strict=True):
         own = (
             SHADOW_LOOKUP[settings.shadow_map.filter],
             shadow_map.back_point,
             SHADOW_TEST[settings.shadow_map.test],
             FALLOFF[falloff],
         )
-        stages += [stage.renamed(lights.numbered(suffix)) for stage in own]
+        stages += [stage.renamed(of_light(light)) for stage in own]
     return tuple(stages)
 
 

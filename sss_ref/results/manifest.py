@@ -11,12 +11,11 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from sss_ref.errors import DumpError
-from sss_ref.passes.buffers import background, described
+from sss_ref.passes.buffers import described
 from sss_ref.rendering.result import Result
 from sss_ref.rendering.samples import SampledResult
 from sss_ref.rules import RULES_VERSION
-from sss_ref.scene.load import Scene
-from sss_ref.scene.uniforms import uniforms
+from sss_ref.scene.scene import Scene
 from sss_ref.scene_file.shipped import find_mesh, scene_names, scene_path
 
 FILE_NAME = "manifest.json"
@@ -141,7 +140,7 @@ def _record(result: Result, name: str) -> BufferRecord:
         dtype=buffer.dtype.newbyteorder("<").str,
         shape=list(buffer.shape),
         unit=described(name).unit,
-        background=np.asarray(background(name, uniforms(result.scene))).tolist(),
+        background=np.asarray(result.scene.clear(name)).tolist(),
         sha256=result.hashes[name],
         file=f"buffers/{name}.npy",
         row_order=ROW_ORDER["npy"],

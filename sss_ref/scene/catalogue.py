@@ -1,20 +1,13 @@
 """The methods by name."""
 
 from sss_ref.language.pipeline import Method
-from sss_ref.methods.published import printed_methods as published
+from sss_ref.methods.published import printed_methods
 from sss_ref.methods.screen_space import screen_space
 from sss_ref.methods.texture_space import texture_space
-from sss_ref.scene.load import Scene
-from sss_ref.scene.stages_replaced import with_stages
 from sss_ref.scene_file.settings import SceneFile
 
 METHODS = {"screen_space": screen_space, "texture_space": texture_space}
-PUBLISHED = {"screen_space": published.screen_space, "texture_space": published.texture_space}
-
-
-def method_of_scene(scene: Scene) -> Method:
-    """The method that a scene asks for, with the user's stages in their places (see `sss_ref.with_stage`)."""
-    return with_stages(method_of(scene.settings), scene.own_stages)
+PUBLISHED = {"screen_space": printed_methods.screen_space, "texture_space": printed_methods.texture_space}
 
 
 def method_of(settings: SceneFile) -> Method:

@@ -1,8 +1,8 @@
-"""From a scene file to everything a renderer needs: settings, mesh, matrices, camera and lights."""
+"""From a scene file to everything a renderer needs: settings checked, mesh read, lights fitted, camera placed."""
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any
 
@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 from sss_ref.errors import SceneError
 from sss_ref.mesh.mesh_file import load_mesh
 from sss_ref.mesh.topology import is_inside, is_watertight
-from sss_ref.mesh.triangles import Mesh, array_hash
+from sss_ref.mesh.triangles import Mesh
 from sss_ref.mesh.unwrap import unwrapped
 from sss_ref.scene.albedo import albedo_of, albedo_warnings
+from sss_ref.scene.memory import check_memory
+from sss_ref.scene.scene import Scene
 from sss_ref.scene_file.quantities import FLOAT32_OVERFLOW
 from sss_ref.scene_file.reading import Document, opened, validated
 from sss_ref.scene_file.settings import SceneFile, ShadowMap
@@ -27,27 +29,6 @@ from sss_ref.view.views import Light, View, camera_view, light_of
 FAR_FROM_ORIGIN = 100  # bounding-sphere radii beyond which float32 positions are coarse
 
 
-@dataclass(frozen=True, eq=False)
-class Scene:
-    """A scene ready to be rendered."""
-
-    settings: SceneFile  # every key filled, the fitted ones too
-    source: str  # the scene file's path or the shipped scene's name; "scene" for a dictionary
-    mesh: Mesh
-    world_from_model: Matrix  # (4, 4)
-    camera: View
-    lights: tuple[Light, ...]
-    albedo: Mapping[str, NDArray[Any]]  # the uniforms of the surface's colour, see albedo_of
-    warnings: tuple[str, ...]  # what is drawn all the same, but may surprise
-    own_stages: Mapping[str, Any] = field(default_factory=dict)  # name of a stage -> the user's in its place
-    own_uniforms: Mapping[str, Any] = field(default_factory=dict)  # what those read: name -> float32
-
-    def input_hashes(self) -> dict[str, str]:
-        """Name of everything that was read from a mesh or texture file -> its `array_hash` after decoding (rule A5)."""
-        colors = {name: self.albedo[name] for name in ("albedo_map", "material_color") if name in self.albedo}
-        return self.mesh.hashes() | {name: array_hash(name, array) for name, array in colors.items()}
-
-
 def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any], /, **overrides: Any) -> Scene:
     """A scene, checked and with every key filled, its mesh loaded and its lights fitted.
 
@@ -57,7 +38,7 @@ def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any], /, **overrides
     Raises SceneError, which lists all that is wrong with the file and the overrides, and MeshError.
     """
     document = opened(scene)
-    settings = validated(document, overrides)
+    settings = validated(document, overrides, check_memory)
     path = find_mesh(settings.mesh.path, document.folder)
     assert path is not None  # validation found it
     mesh = load_mesh(path)

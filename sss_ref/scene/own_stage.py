@@ -9,9 +9,7 @@ from sss_ref.errors import SceneError
 from sss_ref.language import Stage
 from sss_ref.language.pipeline import PIXEL, Method
 from sss_ref.language.typing_rules import type_name
-from sss_ref.scene.catalogue import method_of_scene
-from sss_ref.scene.load import Scene
-from sss_ref.scene.uniforms import uniforms
+from sss_ref.scene.scene import Scene
 
 
 def with_stage(scene: Scene, in_place_of: str, stage: Stage, **values: Any) -> Scene:
@@ -23,19 +21,19 @@ def with_stage(scene: Scene, in_place_of: str, stage: Stage, **values: Any) -> S
     a number or a sequence of them, rounded to float32.
     Raises SceneError where names or types do not fit.
     """
-    _check_outputs(method_of_scene(scene), in_place_of, stage)
+    _check_outputs(scene.method, in_place_of, stage)
     own = {name: np.array(value, np.float32) for name, value in values.items()}
     changed = replace(
         scene,
         own_stages={**scene.own_stages, in_place_of: stage},
         own_uniforms={**scene.own_uniforms, **{name: v if v.ndim else v[()] for name, v in own.items()}},
     )
-    _check_reads(method_of_scene(changed), stage, set(uniforms(changed)))
+    _check_reads(changed.method, stage, set(changed.uniforms))
     return changed
 
 
 def _check_outputs(method: Method, name: str, stage: Stage) -> None:
-    stages = {each.name: each for one in method.passes for each in one.stages}
+    stages = method.stages
     if name not in stages:
         raise SceneError(f"with_stage: expected a stage of the scene ({', '.join(stages)}), got {name!r}")
     for own, kind in stages[name].outputs.items():

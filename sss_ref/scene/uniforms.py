@@ -1,34 +1,37 @@
 """The uniforms of a scene: the name a stage reads it by -> its value, float32 or int, rounded once from the scene."""
 
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from sss_ref.scene.load import Scene
-from sss_ref.view.matrices import normal_matrix
-from sss_ref.view.views import Light
-
-NEUTRAL = {  # what leaves the colour as it is, by method and by how T joins the light
-    "screen_space": {"multiply": 1.0, "add": 0.0, "transmit": 0.0},
-    "texture_space": {"sqrt": 1.0, "product": 0.0, "sqrt_add": 0.0},
-}
+from sss_ref.language.names import Name
+from sss_ref.passes.light_uniforms import LightUniforms
+from sss_ref.scene_file.settings import SceneFile
+from sss_ref.view.matrices import Matrix, normal_matrix
+from sss_ref.view.views import Light, View
 
 
-def uniforms(scene: Scene) -> dict[str, Any]:
-    """Every uniform of every stage of a scene, by name.
+def uniforms_of(
+    settings: SceneFile,
+    world_from_model: Matrix,
+    camera: View,
+    lights: Sequence[Light],
+    constants: Mapping[str, float],
+) -> dict[str, Any]:
+    """Every uniform of a scene by name, but those of the surface's colour.
 
-    Matrices are M[row][column], vectors (N,); uniform arrays have one row an element.
+    Matrices are M[row][column], vectors (N,); uniform arrays have one row an element. constants: those that the method
+    decides.
     """
-    settings = scene.settings
-    joined = settings.translucency.combine if settings.method == "screen_space" else settings.irradiance_map.image
     taps = np.array(settings.blur.taps, np.float32)
     values = {
-        "world_from_model": scene.world_from_model,
-        "normal_from_model": normal_matrix(scene.world_from_model),
-        "camera_clip_from_model": scene.camera.clip_from(scene.world_from_model),
-        "camera_position": scene.camera.eye,
-        "light_count": len(scene.lights),
-        **light_uniforms(scene),
+        "world_from_model": world_from_model,
+        "normal_from_model": normal_matrix(world_from_model),
+        "camera_clip_from_model": camera.clip_from(world_from_model),
+        "camera_position": camera.eye,
+        "light_count": len(lights),
+        **_of_lights(settings, world_from_model, lights),
         "lookup_inset": settings.shadow_map.lookup_inset,
         "bias_abs": settings.shadow_map.bias_abs,
         "bias_slope": settings.shadow_map.bias_slope,
@@ -41,7 +44,7 @@ def uniforms(scene: Scene) -> dict[str, Any]:
         "exponent": settings.translucency.exponent,
         "d_min": settings.translucency.d_min,
         "translucency_scale": settings.translucency.scale,
-        "translucency_neutral": NEUTRAL[settings.method][joined],
+        **constants,
         "pixel_scale": settings.blur.pixel_scale,
         "tap_offset": taps[:, :2],
         "tap_weight": taps[:, 2:],
@@ -51,25 +54,28 @@ def uniforms(scene: Scene) -> dict[str, Any]:
     }
     rounded = {name: np.array(value, np.float32, order="C") for name, value in values.items()}
     scalars = {name: value if value.ndim else value[()] for name, value in rounded.items()}
-    return {**scalars, **scene.albedo, "tap_count": len(taps), **scene.own_uniforms}
+    return {**scalars, "tap_count": len(taps)}
 
 
-def light_uniforms(scene: Scene) -> dict[str, Any]:
+def _of_lights(settings: SceneFile, world_from_model: Matrix, lights: Sequence[Light]) -> dict[str, Any]:
     """The uniforms of all lights; where there are several, each name ends in the light's number: light_position_1."""
-    if len(scene.lights) == 1:
-        return uniforms_of_light(scene.lights[0], scene)
-    numbered = [(number, uniforms_of_light(light, scene)) for number, light in enumerate(scene.lights, start=1)]
-    return {f"{name}_{number}": value for number, values in numbered for name, value in values.items()}
-
-
-def uniforms_of_light(light: Light, scene: Scene) -> dict[str, Any]:
-    """The uniforms of one light and of its shadow map."""
+    numbered = enumerate(lights, start=1) if len(lights) > 1 else [(0, lights[0])]
     return {
-        "light_clip_from_model": light.view.clip_from(scene.world_from_model),
+        str(Name(name, number)): value
+        for number, light in numbered
+        for name, value in _of_light(light, settings, world_from_model)._asdict().items()
+    }
+
+
+def _of_light(light: Light, settings: SceneFile, world_from_model: Matrix) -> LightUniforms:
+    """The uniforms of one light and of its shadow map, not yet rounded."""
+    values: dict[str, Any] = {
+        "light_clip_from_model": light.view.clip_from(world_from_model),
         "light_clip_from_world": light.view.clip_from(np.eye(4)),
         "light_position": light.position,
         "light_color": light.color,
         "light_intensity": light.intensity,
         "light_texel_size": light.view.pixel_size,
-        "light_clear_distance": 2 * light.view.far if scene.settings.shadow_map.encoding == "float32" else 0.0,
+        "light_clear_distance": 2 * light.view.far if settings.shadow_map.encoding == "float32" else 0.0,
     }
+    return LightUniforms(**values)

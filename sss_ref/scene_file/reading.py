@@ -2,7 +2,7 @@
 
 import os
 import tomllib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -25,8 +25,8 @@ TABLES: dict[KeyPath, type[BaseModel]] = {
     ("camera", "free"): viewpoints.FreeCamera,
     ("lights",): viewpoints.LightSettings,
     ("shadow_map",): settings.ShadowMap,
-    ("phong",): settings.Phong,
-    ("translucency",): settings.Translucency,
+    ("phong",): settings.PhongSettings,
+    ("translucency",): settings.TranslucencySettings,
     ("blur",): settings.Blur,
     ("irradiance_map",): settings.IrradianceMap,
     ("output",): settings.Output,
@@ -51,13 +51,22 @@ def opened(scene: str | os.PathLike[str] | Mapping[str, Any]) -> Document:
     return Document(_parsed(path, name), name, path.parent)
 
 
-def validated(document: Document, overrides: Mapping[str, Any]) -> settings.SceneFile:
-    """The settings with every key filled but those that are fitted to the mesh. Raises SceneError."""
+def validated(
+    document: Document,
+    overrides: Mapping[str, Any],
+    check_memory: Callable[[Mapping[str, Any], tuple[int, int]], None],
+) -> settings.SceneFile:
+    """The settings with every key filled but those that are fitted to the mesh. Raises SceneError.
+
+    check_memory: is handed the tables that are right and the texture's size; raises where they need too much.
+    """
     given, misplaced = overridden(document.data, overrides)
     data, paths = filled(given), override_paths(overrides)
     problems = [f"override: {problem}" for problem in misplaced]
     try:
-        result = settings.SceneFile.model_validate(data, context={"folder": document.folder})
+        result = settings.SceneFile.model_validate(
+            data, context={"folder": document.folder, "check_memory": check_memory}
+        )
     except ValidationError as error:
         problems += _attributed(_problems_of(error), document.source, paths)
     problems += _attributed(misfits(data), document.source, paths)

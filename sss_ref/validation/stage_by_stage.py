@@ -5,16 +5,13 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from sss_ref.dump.slots import slots_of
 from sss_ref.errors import SceneError
 from sss_ref.errors.wording import told
 from sss_ref.interpret.intervals.profile import Profile
-from sss_ref.language.pipeline import MeshDraw
 from sss_ref.methods.stages import all_stages
 from sss_ref.rendering.fold import render
 from sss_ref.rendering.result import Result
-from sss_ref.scene.catalogue import method_of_scene
-from sss_ref.scene.load import Scene
+from sss_ref.scene.scene import Scene
 from sss_ref.validation.accept.chained import Bounds, chained
 from sss_ref.validation.accept.drawn import Buffers, Rebased, Seen
 from sss_ref.validation.accept.rebased import RASTERIZER, Check, Judgement, Stored, checks
@@ -96,8 +93,7 @@ def judge(
         if explain and finding is None and not verdict.passed:
             with clock.phase("hypotheses"):
                 finding = _finding(Rebased(oracle, buffers, kind, seen), how, check, verdict)
-    method = method_of_scene(oracle.scene)
-    missing = tuple(name for name in method.outputs if name not in buffers)
+    missing = tuple(name for name in oracle.scene.method.outputs if name not in buffers)
     with clock.phase("power"):
         sight = tuple(power(oracle, compared, how, seen)) if explain else ()
     name = profile if isinstance(profile, str) else "a profile of its own"
@@ -108,7 +104,7 @@ def _verdicts(
     oracle: Result, buffers: Buffers, how: Judgement, only: np.ndarray | None, seen: Seen, clock: Clock
 ) -> Iterator[tuple[Check, Verdict]]:
     """Every buffer in stage order, judged on the chosen pixels."""
-    places, method = Places(oracle, buffers), method_of_scene(oracle.scene)
+    places, method = Places(oracle, buffers), oracle.scene.method
     todo = checks(oracle, buffers, how, seen)
     while True:
         with clock.phase("rebased"):
@@ -132,8 +128,7 @@ def _coarse(stored: Stored) -> dict[str, str]:
 
 def _near_to_far(oracle: Result, buffers: Buffers) -> Buffers:
     """The buffers with depths that grow with the distance, of a dump in which they fall."""
-    draws = (one.draw for one in method_of_scene(oracle.scene).passes)
-    depths = {draw.depth for draw in draws if isinstance(draw, MeshDraw)} & set(buffers)
+    depths = {each.draw.depth for each in oracle.scene.method.passes} & set(buffers)
     return {**buffers, **{name: np.float32(1) - buffers[name] for name in depths}}
 
 
@@ -158,14 +153,14 @@ def assert_valid(
 
 
 def _check_buffers(oracle: Result, buffers: Buffers) -> None:
-    slots = slots_of(oracle.scene)
+    forms = oracle.scene.forms
     for name, buffer in buffers.items():
-        if name not in slots:
-            raise SceneError(f"buffers: expected names of {', '.join(slots)}, got {name!r}")
-        slot = slots[name]
-        if (buffer.shape, buffer.dtype) != (slot.shape, slot.dtype):
-            form = f"{slot.dtype} {slot.shape}"
-            raise SceneError(f"buffers: expected {name} as {form}, got {buffer.dtype} {buffer.shape}; convert it")
+        if name not in forms:
+            raise SceneError(f"buffers: expected names of {', '.join(forms)}, got {name!r}")
+        form = forms[name]
+        if (buffer.shape, buffer.dtype) != (form.shape, form.dtype):
+            expected = f"{form.dtype} {form.shape}"
+            raise SceneError(f"buffers: expected {name} as {expected}, got {buffer.dtype} {buffer.shape}; convert it")
 
 
 def _check_something_is_drawn(oracle: Result, only: np.ndarray | None) -> None:
@@ -178,8 +173,7 @@ def _check_something_is_drawn(oracle: Result, only: np.ndarray | None) -> None:
 
 def _finding(rendering: Rebased, how: Judgement, check: Check, verdict: Verdict) -> Finding:
     """Look closer at what is wrong."""
-    (one,) = (each for each in method_of_scene(rendering.scene).passes if each.name == check.pass_name)
-    pass_drawn, buffers = rendering.drawn(one), rendering.dumped
+    pass_drawn, buffers = rendering.drawn(rendering.scene.method[check.pass_name]), rendering.dumped
     found = hypotheses(check, pass_drawn, buffers, how, all_stages()) if check.where.any() else []
     section = worst_pixel(check, verdict.worst.at, pass_drawn, buffers, how) if verdict.worst else None
     return Finding(check, tuple(found), section)

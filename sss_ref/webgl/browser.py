@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from sss_ref.errors import ShaderError
-from sss_ref.scene.load import Scene
+from sss_ref.scene.scene import Scene
 from sss_ref.webgl.content import page
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")

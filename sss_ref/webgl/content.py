@@ -2,7 +2,7 @@
 
 import base64
 import json
-from collections.abc import Collection, Iterable, Mapping
+from collections.abc import Collection, Iterable
 from html import escape
 from importlib.resources import files
 from typing import Any
@@ -11,13 +11,9 @@ import numpy as np
 
 from sss_ref.gl.uploads import texture_data
 from sss_ref.interpret.shader import ESSL, array_lengths, draws, fragment_shader, vertex_shader
-from sss_ref.interpret.work import CHANNELS, dtype_of
-from sss_ref.language.pipeline import MeshDraw, Method, Pass
-from sss_ref.passes.buffers import background
-from sss_ref.scene.catalogue import method_of_scene
-from sss_ref.scene.load import Scene
-from sss_ref.scene.uniforms import uniforms
-from sss_ref.scene.until import buffers_kept
+from sss_ref.language.layout import CHANNELS, dtype_of
+from sss_ref.language.pipeline import Pass
+from sss_ref.scene.scene import Scene
 
 KINDS = {"f": "float", "i": "int", "u": "bool"}  # kind of number -> the script's name
 
@@ -38,13 +34,12 @@ def page(scene: Scene, keep: str | Iterable[str] = "all") -> str:
 
 def drawing(scene: Scene, keep: str | Iterable[str]) -> dict[str, Any]:
     """All that the script needs, as JSON has it; arrays are little-endian bytes in base 64."""
-    method, values = method_of_scene(scene), uniforms(scene)
-    wanted, textures = buffers_kept(method, keep), texture_data(values)
-    kept = [name for name in method.values if name in wanted]
+    wanted, textures = scene.kept(keep), texture_data(scene.uniforms)
+    kept = [name for name in scene.method.values if name in wanted]
     return {
-        "passes": _passes(method.only(wanted), kept, scene, values),
+        "passes": _passes(kept, scene),
         "kept": kept,
-        "uniforms": {name: np.ravel(value).tolist() for name, value in values.items() if name not in textures},
+        "uniforms": {name: np.ravel(value).tolist() for name, value in scene.uniforms.items() if name not in textures},
         "textures": {name: _texture(data) for name, data in textures.items()},
         "triangles": _base64(scene.mesh.triangles),
         "attributes": {
@@ -53,52 +48,47 @@ def drawing(scene: Scene, keep: str | Iterable[str]) -> dict[str, Any]:
     }
 
 
-def _passes(method: Method, kept: Collection[str], scene: Scene, values: Mapping[str, Any]) -> list[dict[str, Any]]:
+def _passes(kept: Collection[str], scene: Scene) -> list[dict[str, Any]]:
     """The passes, each with the draws that fill what is kept of it or read later."""
     listed: list[dict[str, Any]] = []
     there: set[str] = set()
-    for number, one in enumerate(method.passes, 1):
-        later = {name for each in method.passes[number:] for name in each.needs}
-        wanted = {*kept} | later | set(one.feedback.values())
-        listed.append(_pass(one, scene) | {"draws": _draws(one, wanted, there, values)})
-        there |= wanted & set(one.outputs)
+    for each, read_later in scene.method.only({*kept}).in_order():
+        wanted = {*kept, *read_later, *each.fed_back}
+        listed.append(_pass(each, scene) | {"draws": _draws(each, wanted, there, scene)})
+        there |= wanted & set(each.outputs)
     return listed
 
 
-def _pass(one: Pass, scene: Scene) -> dict[str, Any]:
+def _pass(this_pass: Pass, scene: Scene) -> dict[str, Any]:
     """How a pass is drawn."""
-    settings, draw = scene.settings, one.draw
-    target, layout = getattr(settings, one.target), isinstance(draw, MeshDraw) and draw.layout
+    width, height = scene.size(this_pass)
     return {
-        "width": target.width,
-        "height": target.height,
-        "mesh": isinstance(draw, MeshDraw),
-        "laterWins": layout and settings.irradiance_map.overlap == "last",
-        "rounds": one.rounds,
-        "feedback": dict(one.feedback),
+        "width": width,
+        "height": height,
+        "mesh": bool(this_pass.draw.vertex_stages),
+        "laterWins": this_pass.draw.layout and scene.settings.irradiance_map.overlap == "last",
+        **this_pass.repetition,
     }
 
 
-def _draws(
-    one: Pass, wanted: Collection[str], buffers: Collection[str], values: Mapping[str, Any]
-) -> list[dict[str, Any]]:
+def _draws(this_pass: Pass, wanted: Collection[str], buffers: Collection[str], scene: Scene) -> list[dict[str, Any]]:
     """The draws of a pass: their shaders and the buffers that they fill."""
-    lengths = array_lengths(values)
+    lengths = array_lengths(scene.uniforms)
     return [
         {
             "name": name,
-            "vertex": vertex_shader(one, lengths, ESSL),
-            "fragment": fragment_shader(one, buffers, outputs, lengths, ESSL),
-            "outputs": [_output(output, one.values[output], values) for output in outputs],
+            "vertex": vertex_shader(this_pass, lengths, ESSL),
+            "fragment": fragment_shader(this_pass, buffers, outputs, lengths, ESSL),
+            "outputs": [_output(output, this_pass.values[output], scene.clear(output)) for output in outputs],
         }
-        for name, outputs in draws(one, wanted, ESSL.most_outputs).items()
+        for name, outputs in draws(this_pass, wanted, ESSL.most_outputs).items()
     ]
 
 
-def _output(name: str, kind: Any, values: Mapping[str, Any]) -> dict[str, Any]:
+def _output(name: str, kind: Any, clear: Any) -> dict[str, Any]:
     """A buffer and what it holds before the draw, in four channels."""
-    clear = np.resize(np.asarray(background(name, values), dtype_of(kind)), 4).tolist()
-    return {"name": name, "kind": KINDS[dtype_of(kind).kind], "channels": CHANNELS[kind], "background": clear}
+    background = np.resize(np.asarray(clear, dtype_of(kind)), 4).tolist()
+    return {"name": name, "kind": KINDS[dtype_of(kind).kind], "channels": CHANNELS[kind], "background": background}
 
 
 def _texture(data: np.ndarray) -> dict[str, Any]:

@@ -11,9 +11,7 @@ from sss_ref.errors import SceneError, ShaderError
 from sss_ref.gl import draw
 from sss_ref.interpret.shader import array_lengths, shader_files
 from sss_ref.rendering.fold import render
-from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import load_scene
-from sss_ref.scene.uniforms import uniforms
 
 pytestmark = needs_mesa
 
@@ -153,7 +151,7 @@ def test_the_printed_figures(tmp_path, method):
 def ours(tmp_path):
     """A scene, and the translated shaders by file name."""
     scene = body(tmp_path, size=32)
-    return scene, shader_files(method_of(scene.settings), array_lengths(uniforms(scene)))
+    return scene, shader_files(scene.method, array_lengths(scene.uniforms))
 
 
 def test_our_own_files_change_nothing(ours, tmp_path):

@@ -7,7 +7,6 @@ from scenes import LIGHT, around, sphere, written
 from sss_ref.dump.read import read_dump
 from sss_ref.errors import SceneError
 from sss_ref.rendering.fold import render
-from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import load_scene
 
 LIGHTS = [{"position": LIGHT}, {"position": [-3.0, 0.5, 1.0], "color": [1.0, 0.5, 0.25]}]
@@ -60,7 +59,7 @@ def with_registers(tmp_path_factory):
 @pytest.mark.parametrize("case", CASES)
 def test_registers_are_there_on_demand_and_change_nothing_else(with_registers, case):
     result = with_registers(case)
-    buffers = list(method_of(result.scene.settings).outputs)
+    buffers = list(result.scene.method.outputs)
     assert [name for name in result.buffers if name not in buffers] == CASES[case][1]
     alone = render(result.scene, "arrays")
     assert list(alone.buffers) == buffers

@@ -140,8 +140,8 @@ def test_the_cases_hold_every_alternative_of_the_scene_file():
     alternatives = {
         "shadow_map.filter": settings.ShadowMap.model_fields["filter"],
         "shadow_map.test": settings.ShadowMap.model_fields["test"],
-        "translucency.form": settings.Translucency.model_fields["form"],
-        "translucency.combine": settings.Translucency.model_fields["combine"],
+        "translucency.form": settings.TranslucencySettings.model_fields["form"],
+        "translucency.combine": settings.TranslucencySettings.model_fields["combine"],
         "blur.mask": settings.Blur.model_fields["mask"],
         "lights.0.falloff": viewpoints.LightSettings.model_fields["falloff"],
     }

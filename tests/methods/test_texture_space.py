@@ -14,7 +14,6 @@ from sss_ref.interpret import arrays
 from sss_ref.passes import blur, irradiance, texture_image
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
-from sss_ref.scene.uniforms import uniforms
 from sss_ref.scene_file.kernels import KERNELS
 
 MAP = 64  # texels of the irradiance map, across and down
@@ -170,7 +169,7 @@ def redo(result, stage, suffix="", **given):
     """The one buffer, or the first, that a stage makes of the buffers of a rendering, run by itself."""
     buffers = of_light(result.buffers, suffix) | given
     height, width = buffers[next(name for name in stage.parameters if name in buffers)].shape[:2]
-    inputs = Inputs(width, height, buffers, of_light(uniforms(result.scene), suffix))
+    inputs = Inputs(width, height, buffers, of_light(result.scene.uniforms, suffix))
     return next(iter(run(arrays, stage, inputs).values()))
 
 

@@ -1,14 +1,16 @@
 """What a scene needs is known from its file, truthfully, and too much is refused before any work."""
 
+from collections import Counter
+
 import pytest
 from PIL import Image
-from scenes import settings_with
+from test_structure import all_methods
 
 from sss_ref.errors import SceneError
-from sss_ref.interpret.work import CHANNELS, dtype_of
+from sss_ref.language.layout import CHANNELS, dtype_of
 from sss_ref.scene import load_scene
-from sss_ref.scene.catalogue import METHODS, method_of
-from sss_ref.scene.memory import BUFFER_BYTES, bytes_per_pixel
+from sss_ref.scene.catalogue import METHODS
+from sss_ref.scene.memory import bytes_per_pixel
 from sss_ref.scene_file import color_texture as textures
 
 
@@ -18,15 +20,30 @@ def problems(scene, **overrides):
     return str(error.value).split("\n")
 
 
+BYTES = {  # per pixel or texel, worked by hand from the list of buffers: those there once, and those of each light
+    "screen_space": {"camera": (89, 58), "shadow_map": (0, 12)},
+    "texture_space": {"camera": (77, 66), "shadow_map": (0, 20), "irradiance_map": (1, 37)},
+}
+PHONG_SUM = 12  # several lights have a `phong` each, and one together
+
+
 @pytest.mark.parametrize("lights", range(1, 17))
 @pytest.mark.parametrize("method", METHODS)
 def test_every_buffer_counts(method, lights):
-    settings = settings_with({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * lights})
-    written = dict.fromkeys(BUFFER_BYTES[method], 0)
-    for one in method_of(settings).passes:
-        kinds = [] if one.on_demand else one.outputs.values()
-        written[one.target] += sum(CHANNELS[kind] * dtype_of(kind).itemsize for kind in kinds)
-    assert written == {table: bytes_per_pixel(method, table, lights) for table in written}
+    worked = {table: once + each * lights for table, (once, each) in BYTES[method].items()}
+    worked["camera"] += PHONG_SUM if lights > 1 else 0
+    assert bytes_per_pixel(method, "robust", lights) == worked
+
+
+def test_no_other_key_changes_what_buffers_there_are():
+    for method in all_methods():
+        lights = sum(name.startswith("light_distance") for name in method.outputs)
+        written = Counter()
+        for one in method.passes:
+            for kind in [] if one.on_demand else one.outputs.values():
+                written[one.target] += CHANNELS[kind] * dtype_of(kind).itemsize
+        published = any(name.startswith("exact") for name in method.values)
+        assert written == bytes_per_pixel(method.name, "published" if published else "paper", lights)
 
 
 LIGHTS = [{"position": [0, 0, 9]}] * 16

@@ -15,7 +15,6 @@ from sss_ref.interpret.shader import array_lengths, stage_source
 from sss_ref.language import dot, max, normalize, stage, vec3
 from sss_ref.language.types import components
 from sss_ref.results.verify import verify
-from sss_ref.scene.catalogue import method_of_scene
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "beer_lambert.py"
 LIGHTS = [{"position": LIGHT}, {"position": [-3.0, 0.5, 1.0], "color": [1.0, 0.5, 0.25]}]
@@ -71,7 +70,7 @@ def test_glsl_comes_from_the_same_source(example, body):
     scene = own_scene(example, body)
     text = stage_source(example.lit_absorbed, array_lengths({}))
     assert "vec3 transmittance = exp(-extinction * thickness);" in text
-    stages = [each.name for one in method_of_scene(scene).passes for each in one.stages]
+    stages = [each.name for one in scene.method.passes for each in one.stages]
     assert "lit_absorbed" in stages and "lit_transmit" not in stages
 
 

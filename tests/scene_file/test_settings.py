@@ -4,7 +4,7 @@ from pydantic import ValidationError
 
 from sss_ref.scene_file.kernels import HBH09, KERNELS, SCHOENBERGER, TABLE1, channel_sums, normalized
 from sss_ref.scene_file.layers import filled
-from sss_ref.scene_file.settings import Blur, MeshSettings, SceneFile, Translucency
+from sss_ref.scene_file.settings import Blur, MeshSettings, SceneFile, TranslucencySettings
 
 COMMON = {
     "method": "screen_space",
@@ -158,11 +158,11 @@ def test_every_parameter_is_explained():
 
 def test_parameters_survive_rounding_to_float32():
     with pytest.raises(ValidationError):
-        Translucency(form="beer", combine="add", x=1e-46, y=1, scale=1, d_min=1)
+        TranslucencySettings(form="beer", combine="add", x=1e-46, y=1, scale=1, d_min=1)
     with pytest.raises(ValidationError):
-        Translucency(form="beer", combine="add", x=1, y=2.0**128 - 2.0**103, scale=1, d_min=1)
+        TranslucencySettings(form="beer", combine="add", x=1, y=2.0**128 - 2.0**103, scale=1, d_min=1)
     y = float.fromhex("0x1.fffffefffffffp127")  # the largest number that still rounds to the largest float32
-    assert Translucency(form="beer", combine="add", x=1e-45, y=y, scale=1, d_min=1).y == y
+    assert TranslucencySettings(form="beer", combine="add", x=1e-45, y=y, scale=1, d_min=1).y == y
 
 
 def test_kernels_sum_to_what_their_authors_printed():

@@ -4,50 +4,51 @@ import numpy as np
 
 from sss_ref.interpret import arrays
 from sss_ref.interpret.work import Fragments
-from sss_ref.language.pipeline import MeshDraw
 from sss_ref.raster.primitives import drawable, place
 from sss_ref.raster.primitives import only as primitives_only
 from sss_ref.raster.rasterize import visibility
-from sss_ref.rendering.fold import Rendering, varying_columns
-from sss_ref.scene.catalogue import method_of_scene
+from sss_ref.rendering.draw import Machine, Sketch, draw, varying_columns, vertices
+from sss_ref.rendering.fold import run
 
 
-class Device(Rendering):
+class Device:
     """Draws like the oracle, but for what `changed` makes of the pieces before they are drawn."""
 
     def __init__(self, scene, changed, subpixel_bits=8):
-        super().__init__(scene, arrays, None, set(), subpixel_bits)
-        self.changed = changed
+        self.scene, self.changed, self.machine = scene, changed, Machine(arrays, None, subpixel_bits)
 
-    def draw(self, one):
-        if not isinstance(one.draw, MeshDraw):
-            return super().draw(one)
-        varyings, columns = varying_columns(one)
-        clip_position, attributes = self.vertices(one, varyings, columns)
-        viewport = self.viewport(one)
+    def draw(self, one, buffers):
+        if not one.draw.vertex_stages:
+            return draw(self.scene, one, buffers, self.machine)
+        clip_position, attributes = self.vertices(one, buffers)
+        viewport = self.machine.viewport(self.scene, one)
         primitives, placed = place(clip_position, attributes, self.scene.mesh.triangles, viewport)
         primitives = self.changed(primitives, placed, viewport)
         primitives = primitives_only(primitives, drawable(primitives))
         piece, depth = visibility(primitives, viewport, None)
-        return Fragments(*self.size(one), primitives, piece, viewport.step, varyings), {one.draw.depth: depth}
+        varyings, _ = varying_columns(one)
+        fragments = Fragments(*self.scene.size(one), primitives, piece, viewport.step, varyings)
+        return Sketch(fragments, {one.draw.depth: depth})
+
+    def vertices(self, one, buffers):
+        return vertices(self.scene, one, buffers, self.machine)
 
     def buffers_of_all(self):
         """Every buffer of the method, as this device draws it."""
-        method = method_of_scene(self.scene)
-        self.kept = set(method.outputs)
-        for one in method.passes:
-            if not one.on_demand:
-                self.run(one, set())
-        return {name: self.buffers[name] for name in method.outputs}
+        wanted, buffers = set(self.scene.method.outputs), {}
+        for one in self.scene.method.only(wanted).passes:
+            sketch = self.draw(one, buffers)
+            buffers |= sketch.written | run(self.scene, one, sketch, buffers, wanted, self.machine)
+        return {name: buffers[name] for name in self.scene.method.outputs}
 
 
 class ExactVertices(Device):
     """Computes where vertices go without rounding on the way, as one with longer registers may."""
 
-    def vertices(self, one, varyings, columns):
-        _, attributes = super().vertices(one, varyings, columns)
+    def vertices(self, one, buffers):
+        _, attributes = super().vertices(one, buffers)
         position = self.scene.mesh.attributes["position"].astype(np.float64)
-        clip_from_model = self.uniforms[one.draw.vertex.reads["clip_from_model"]].astype(np.float64)
+        clip_from_model = self.scene.uniforms[one.draw.vertex.reads["clip_from_model"]].astype(np.float64)
         clip_position = np.column_stack([position, np.ones(len(position))]) @ clip_from_model.T
         return clip_position.astype(np.float32), attributes
 

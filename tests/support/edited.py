@@ -11,9 +11,7 @@ from sss_ref.gl import draw
 from sss_ref.gl.shaders import shader_folder
 from sss_ref.interpret.shader import array_lengths, shader_files
 from sss_ref.rendering.fold import render
-from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import load_scene
-from sss_ref.scene.uniforms import uniforms
 from sss_ref.validation.stage_by_stage import validate
 
 SIZE = 96
@@ -94,7 +92,7 @@ def drawn_edited(name, edits, folder, files=""):
     """
     scene = rendered(name).scene
     found = set()
-    files_of_scene = shader_files(method_of(scene.settings), array_lengths(uniforms(scene)), registers=True)
+    files_of_scene = shader_files(scene.method, array_lengths(scene.uniforms), registers=True)
     for path, text in files_of_scene.items():
         if path.startswith("taps"):  # drawn on demand only
             continue

@@ -7,8 +7,9 @@ from typing import Any, get_origin
 
 import numpy as np
 
-from sss_ref.interpret.work import CHANNELS, Fragments, Work, dtype_of, shape_of, uniform_value
+from sss_ref.interpret.work import Fragments, Work, uniform_value
 from sss_ref.language import Array, Stage, Texture, ivec2
+from sss_ref.language.layout import CHANNELS, dtype_of, shape_of
 from sss_ref.language.pipeline import PIXEL, Pass, ScreenDraw
 from sss_ref.language.types import components
 from sss_ref.methods.stages import stage_modules

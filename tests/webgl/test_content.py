@@ -11,9 +11,7 @@ from scenes import around, wedge, written
 
 from sss_ref import webgl
 from sss_ref.errors import SceneError, ShaderError
-from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import load_scene
-from sss_ref.scene.uniforms import uniforms
 from sss_ref.webgl import browser
 
 
@@ -36,9 +34,9 @@ def test_a_page_holds_the_mesh_the_uniforms_and_the_shaders_of_all_passes(tmp_pa
     np.testing.assert_array_equal(array(held["triangles"], "<i4"), scene.mesh.triangles.ravel())
     np.testing.assert_array_equal(array(held["attributes"]["position"]["data"], "<f4"), scene.mesh.positions.ravel())
     assert held["uniforms"]["x"] == [float(scene.settings.translucency.x)]
-    assert held["uniforms"]["light_clip_from_world"] == uniforms(scene)["light_clip_from_world"].ravel().tolist()
+    assert held["uniforms"]["light_clip_from_world"] == scene.uniforms["light_clip_from_world"].ravel().tolist()
     written_names = [o["name"] for one in held["passes"] for draw in one["draws"] for o in draw["outputs"]]
-    assert written_names == held["kept"] == list(method_of(scene.settings).outputs)
+    assert written_names == held["kept"] == list(scene.method.outputs)
     assert all(len(draw["outputs"]) <= 4 for one in held["passes"] for draw in one["draws"])
     assert held["passes"][0]["draws"][0]["vertex"].startswith("#version 300 es")
 

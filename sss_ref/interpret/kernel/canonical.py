@@ -4,14 +4,12 @@ With several lights, what belongs to a light has its number behind its name (lig
 and of the only light differ in nothing else. Written with the same names they are the same source, compiled once.
 """
 
-import re
 from collections.abc import Callable
 from dataclasses import replace
 
 from sss_ref.interpret.work import Work
-from sss_ref.language.pipeline import MeshDraw, Pass
-
-NUMBER = re.compile(r"_\d+$")
+from sss_ref.language.names import Name
+from sss_ref.language.pipeline import Pass
 
 
 def canonical_work(work: Work) -> Work:
@@ -30,21 +28,13 @@ def canonical_work(work: Work) -> Work:
 
 def canonical_names(this_pass: Pass) -> Callable[[str], str]:
     """The renaming that drops the number of a pass's names if all have the same one and none is taken without it."""
-    names = {this_pass.name, *this_pass.reads, *this_pass.values}
-    numbers = {number for name in names for number in NUMBER.findall(name)}
-    shared = numbers.pop() if len(numbers) == 1 else ""
-    taken = any(name + shared in names for name in names)
-    return lambda name: name if taken else name.removesuffix(shared)
+    names = {text: Name.of(text) for text in (this_pass.name, *this_pass.reads, *this_pass.values)}
+    numbers = {name.light for name in names.values()} - {0}
+    if len(numbers) != 1 or any(name.light and str(name.of_light(0)) in names for name in names.values()):
+        return lambda text: text
+    return lambda text: str(Name.of(text).of_light(0))
 
 
 def renamed(this_pass: Pass, rename: Callable[[str], str]) -> Pass:
     """The pass with every name that its source mentions replaced."""
-    draw = this_pass.draw
-    if isinstance(draw, MeshDraw):
-        draw = replace(draw, vertex=draw.vertex.renamed(rename), triangle=rename(draw.triangle))
-    return replace(
-        this_pass,
-        name=rename(this_pass.name),
-        draw=draw,
-        stages=tuple(stage.renamed(rename) for stage in this_pass.stages),
-    )
+    return replace(this_pass.renamed(rename), name=rename(this_pass.name))

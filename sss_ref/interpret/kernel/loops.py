@@ -22,7 +22,8 @@ from sss_ref.cache.compiled import cache_folder
 from sss_ref.interpret.kernel.arguments import OUT, Arguments, vertex_reads
 from sss_ref.interpret.kernel.canonical import canonical_names, canonical_work, renamed
 from sss_ref.interpret.kernel.source import fragment_source, vertex_source
-from sss_ref.interpret.work import FLOAT32, Work
+from sss_ref.interpret.work import Work
+from sss_ref.language.layout import FLOAT32
 from sss_ref.language.pipeline import MeshDraw, Pass
 
 BAND = 32  # rows a task

@@ -5,7 +5,7 @@ from typing import Any, get_origin
 
 from sss_ref.interpret.kernel.arguments import OUT, Arguments
 from sss_ref.interpret.kernel.lower import INDENT, Lines, Lowering, Memory, Scalar, Value, suffixes
-from sss_ref.interpret.work import CHANNELS
+from sss_ref.language.layout import CHANNELS
 from sss_ref.language.pipeline import CLIP_POSITION, PIXEL, MeshDraw, Pass
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import Texture

@@ -1,6 +1,7 @@
 """Complete shaders of a pass: what comes in, the stages' definitions, and a `main` that calls them in order."""
 
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -9,7 +10,8 @@ from sss_ref.interpret.shader.dialect import OUT, Dialect, Parts
 from sss_ref.interpret.shader.glsl import GLSL
 from sss_ref.interpret.shader.library import Library, result_struct
 from sss_ref.interpret.shader.reads import Reads
-from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL, MeshDraw, Method, Pass, ScreenDraw
+from sss_ref.language.names import Name
+from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL, Method, Pass
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import ivec2, vec2, vec4
 
@@ -55,9 +57,9 @@ def vertex_shader(this_pass: Pass, lengths: Mapping[str, int], dialect: Dialect 
     """The vertex shader of a pass; lengths: uniform array -> its length (an array that is not listed: a texture)."""
     about = f"Vertex shader of pass {this_pass.name}, from the stages of sss_ref."
     mesh, library = this_pass.draw, Library(dialect)
-    if isinstance(mesh, ScreenDraw):
+    if not mesh.vertex_stages:
         return dialect.vertex(Parts(about, [], [], {}, "", _rectangle(dialect), mesh=False), dialect)
-    stage = mesh.vertex
+    (stage,) = mesh.vertex_stages
     library.stage(stage, lengths)
     reads = Reads.of((stage,), MESH_ATTRIBUTES, ())
     parts = Parts(
@@ -97,7 +99,7 @@ def fragment_shader(
         varyings=this_pass.draw.varyings,
         definitions=library.text,
         lines=_fragment_lines(this_pass, outputs, reads, dialect),
-        mesh=isinstance(this_pass.draw, MeshDraw),
+        mesh=bool(this_pass.draw.vertex_stages),
         outputs={name: this_pass.values[name] for name in outputs},
         read=read,
     )
@@ -139,13 +141,11 @@ def _fragment_lines(this_pass: Pass, outputs: Collection[str], reads: Reads, dia
 
 def _stencil(this_pass: Pass) -> list[str]:
     """The buffer that limits a rectangle, if there is one."""
-    return [this_pass.draw.stencil] if isinstance(this_pass.draw, ScreenDraw) and this_pass.draw.stencil else []
+    return [this_pass.draw.stencil] if this_pass.draw.stencil else []
 
 
 def _rasterized(this_pass: Pass, used: set[str], dialect: Dialect) -> list[str]:
     """What the rasterizer gives each fragment, by the pass's names."""
-    if not isinstance(this_pass.draw, MeshDraw):
-        return []
     given = {**dialect.given, "coverage": "true"}
     values = {this_pass.draw.triangle: "triangle", this_pass.draw.depth: "depth", this_pass.draw.coverage: "coverage"}
     kinds = this_pass.draw.outputs.items()
@@ -161,7 +161,7 @@ def _call(stage: Stage, reads: Reads, used: set[str], dialect: Dialect) -> list[
         ((own, name),) = wanted.items()
         return [f"{dialect.declared(stage.outputs[own], name)} = {call}.{dialect.name(own)};"]
     own, name = next(iter(stage.writes.items()))
-    result = name.replace(own, f"{stage.name}_result")  # numbered as its values are
+    result = str(replace(Name.of(name), base=f"{stage.name}_result"))  # numbered as its values are
     taken = [
         f"{dialect.declared(stage.outputs[own], name)} = {result}.{dialect.name(own)};" for own, name in wanted.items()
     ]

@@ -3,14 +3,14 @@
 from dataclasses import replace
 
 from sss_ref.language import Stage
+from sss_ref.language.names import EXACT, Name
 from sss_ref.language.pipeline import Method, Pass, ScreenDraw
 from sss_ref.methods.published import byte_targets as encoding
 from sss_ref.methods.published import printed_stages as published
 from sss_ref.methods.screen_space import single_taps
-from sss_ref.methods.shared import ALBEDO, CAMERA_VIEW, LIGHT_VIEW
+from sss_ref.methods.shared import ALBEDO, CAMERA_VIEW, LIGHT_VIEW, NEUTRAL
 from sss_ref.methods.texture_space import LAYOUT, in_texels
 from sss_ref.passes import blur, composite, irradiance, phong, shadow_map, translucency
-from sss_ref.passes.buffers import EXACT, TEXEL
 from sss_ref.passes.camera import surface
 from sss_ref.scene_file.settings import SceneFile
 
@@ -33,11 +33,12 @@ def screen_space(settings: SceneFile) -> Method:
         "screen_space",
         passes=(
             shadow_map_of(shadow_map.distance_to_light),
-            Pass("camera", "camera", LOOKUP_VIEW, camera, registers=(EXACT,)),
+            Pass("camera", "camera", LOOKUP_VIEW, camera),
             Pass("blur", "camera", window, (blur.scatter,)),
             Pass("taps", "camera", window, single_taps(settings), on_demand=True),
-            Pass("composite", "camera", window, in_bytes(composite.glow, "image"), registers=(EXACT,)),
+            Pass("composite", "camera", window, in_bytes(composite.glow, "image")),
         ),
+        constants={NEUTRAL: 0.0},
     )
 
 
@@ -55,9 +56,10 @@ def texture_space(settings: SceneFile) -> Method:
         "texture_space",
         passes=(
             shadow_map_of(shadow_map.distance_to_light, shadow_map.uv_at_light),
-            Pass("irradiance_map", "irradiance_map", LAYOUT, in_texels(*stored), registers=(TEXEL,)),
-            Pass("camera", "camera", UNTRANSFORMED_VIEW, camera, registers=(EXACT,)),
+            Pass("irradiance_map", "irradiance_map", LAYOUT, in_texels(*stored)),
+            Pass("camera", "camera", UNTRANSFORMED_VIEW, camera),
         ),
+        constants={NEUTRAL: 0.0},
     )
 
 
@@ -65,12 +67,12 @@ def shadow_map_of(*stages: Stage) -> Pass:
     """The shadow map, its distance kept in a byte."""
     distance, *more = stages
     kept = (*in_bytes(distance, "light_distance"), *more)
-    return Pass("shadow_map", "shadow_map", LIGHT_VIEW, kept, registers=(EXACT,))
+    return Pass("shadow_map", "shadow_map", LIGHT_VIEW, kept)
 
 
 def in_bytes(stage: Stage, buffer: str) -> tuple[Stage, Stage]:
     """A stage, and the target of eight bits a channel that keeps the buffer it writes."""
-    exact = EXACT + buffer
+    exact = str(Name.of(buffer).as_share(EXACT))
     if stage.outputs[buffer] is float:
         target = encoding.stored_r8.bound(value=exact, stored_value=buffer)
     else:

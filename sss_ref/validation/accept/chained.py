@@ -12,14 +12,14 @@ import numpy as np
 from sss_ref.interpret.arrays import draw_values, in_chunks, stage_input
 from sss_ref.interpret.intervals.choices import Texels
 from sss_ref.interpret.intervals.profile import Profile
-from sss_ref.interpret.work import CHANNELS, Work, dtype_of, shape_of
+from sss_ref.interpret.work import Work
 from sss_ref.language import Texture
+from sss_ref.language.layout import CHANNELS, dtype_of, shape_of
 from sss_ref.language.pipeline import Pass
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import components
 from sss_ref.numerics.interval import Interval
 from sss_ref.rendering.result import Result
-from sss_ref.scene.catalogue import method_of_scene
 from sss_ref.validation.accept.acceptance import accepted
 from sss_ref.validation.accept.drawn import Drawn, Pixels, Rebased, Seen, spread_varyings
 
@@ -31,11 +31,11 @@ def chained(oracle: Result, profile: Profile, on_demand: Collection[str] = (), s
 
     on_demand: names beside the method's outputs. seen: what rasterizers may show, as far as it is known; added to.
     """
-    rendering, method = Rebased(oracle, oracle.buffers, profile, seen), method_of_scene(oracle.scene)
+    rendering, method = Rebased(oracle, oracle.buffers, profile, seen), oracle.scene.method
     wanted = {*method.outputs, *on_demand}
     bounds: Bounds = {}
     for one in method.only(wanted).passes:
-        start = {name: _start(oracle, name, kind, rendering.size(one)) for name, kind in one.values.items()}
+        start = {name: _start(oracle, name, kind, oracle.scene.size(one)) for name, kind in one.values.items()}
         bounds |= {name: (value, value) for name, value in start.items() if name in wanted}
         _run_rounds(rendering.drawn(one), one, bounds, profile)
     return bounds
@@ -48,14 +48,15 @@ def _start(oracle: Result, name: str, kind: Any, size: tuple[int, int]) -> np.nd
 
 def _run_rounds(pass_drawn: Drawn, one: Pass, bounds: Bounds, profile: Profile) -> None:
     """Run a pass as often as it has rounds; `bounds` gets what it writes."""
-    for name, own in one.feedback.items():
-        bounds[own] = bounds[name]
-    for _ in range(one.rounds):
-        fed = {name: bounds[own] for name, own in one.feedback.items()}
-        outputs = {name: (bounds[name][0].copy(), bounds[name][1].copy()) for name in one.values if name in bounds}
+    wanted = [name for name in one.values if name in bounds]
+
+    def run(read: Mapping[str, tuple[np.ndarray, np.ndarray]]) -> Bounds:
+        outputs = {name: (bounds[name][0].copy(), bounds[name][1].copy()) for name in wanted}
         for at in in_chunks(pass_drawn.work.fragments.where):
-            _run(pass_drawn, at, {**bounds, **fed}, outputs, profile)
-        bounds |= outputs
+            _run(pass_drawn, at, dict(read), outputs, profile)
+        return outputs
+
+    bounds |= one.folded(bounds, run)
 
 
 def _run(pass_drawn: Drawn, at: Pixels, bounds: Bounds, outputs: Bounds, profile: Profile) -> None:

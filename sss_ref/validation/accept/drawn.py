@@ -6,13 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.interpret import arrays
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.interpret.work import Fragments, Work
-from sss_ref.language.pipeline import MeshDraw, Pass
+from sss_ref.language.pipeline import Pass
 from sss_ref.language.types import components
 from sss_ref.numerics.ieee import Ieee
-from sss_ref.rendering.fold import Rendering, varying_columns
+from sss_ref.rendering.draw import Machine, draw, varying_columns
 from sss_ref.rendering.result import Result
 from sss_ref.validation.accept.acceptance import INTERPOLATION, around
 from sss_ref.validation.accept.rasterizer.boxes import boxes_of
@@ -32,11 +31,11 @@ class Drawn:
     visible: Visible | None = None
 
 
-class Rebased(Rendering):
+class Rebased:
     """A rendering that stands where a dump does: with its buffers, and the oracle's where it has none."""
 
     def __init__(self, oracle: Result, dumped: Buffers, profile: Profile, seen: Seen | None = None) -> None:
-        super().__init__(oracle.scene, arrays, None, set(), profile.subpixel_bits)
+        self.scene, self.machine = oracle.scene, Machine(subpixel_bits=profile.subpixel_bits, stops=False)
         self.buffers = {**oracle.buffers, **dumped}
         self.dumped, self.profile = dumped, profile
         self.seen = {} if seen is None else seen
@@ -49,15 +48,15 @@ class Rebased(Rendering):
             size = boxes.viewport.width, boxes.viewport.height
             fragments = Fragments(*size, boxes.primitives, seen.shown(self.dumped), boxes.viewport.step, varyings)
         else:
-            fragments, _ = self.draw(one)
-        return Drawn(Work(one, fragments, self.uniforms, self.buffers, {}, {}), seen)
+            fragments = draw(self.scene, one, self.buffers, self.machine).fragments
+        return Drawn(Work(one, fragments, self.scene.uniforms, self.buffers, {}, {}), seen)
 
     def visible(self, one: Pass) -> Visible | None:
         """What the rasterizer may show in a pass; a draw that reads no buffer is the same for all dumps, done once."""
-        if not isinstance(one.draw, MeshDraw) or isinstance(self.profile.arithmetic, Ieee):
+        if not one.draw.vertex_stages or isinstance(self.profile.arithmetic, Ieee):
             return None
         if one.name not in self.seen or set(one.draw.reads) & set(self.buffers):
-            boxes = boxes_of(self, one, self.profile)
+            boxes = boxes_of(self.scene, one, self.buffers, self.profile)
             self.seen[one.name] = visible(boxes, one.draw, self.scene.settings.irradiance_map.overlap, self.profile)
         return self.seen[one.name]
 

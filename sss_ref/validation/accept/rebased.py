@@ -15,12 +15,12 @@ from sss_ref.interpret.arrays import draw_values, in_chunks, stage_input
 from sss_ref.interpret.intervals.choices import Texels, componentwise
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.interpret.work import Fragments, buffer_value
-from sss_ref.language.pipeline import MeshDraw, Pass
+from sss_ref.language.pipeline import Pass
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import Texture
 from sss_ref.numerics.interval import Interval
+from sss_ref.rendering.draw import shade
 from sss_ref.rendering.result import Result
-from sss_ref.scene.catalogue import method_of_scene
 from sss_ref.validation.accept.acceptance import acceptance_of, accepted
 from sss_ref.validation.accept.drawn import Buffers, Drawn, Pixels, Rebased, Seen, spread_varyings, stacked
 from sss_ref.validation.accept.storage import before_storage, depth_storage, lost_in_storage, step_of
@@ -81,7 +81,7 @@ class Judgement:
 def checks(oracle: Result, dumped: Buffers, how: Judgement, seen: Seen | None = None) -> Iterator[Check]:
     """All buffers of a dump in stage order. oracle: the rendering of the same scene, with all buffers."""
     rendering = Rebased(oracle, dumped, how.profile, seen)
-    for one in method_of_scene(oracle.scene).passes:
+    for one in oracle.scene.method.passes:
         if set(one.values) & set(dumped):
             for check in _checks_of_pass(rendering, one, oracle, dumped, how):
                 yield _as_stored(check, how)
@@ -99,7 +99,7 @@ def _checks_of_pass(rendering: Rebased, one: Pass, oracle: Result, dumped: Buffe
     pass_drawn = rendering.drawn(one)
     fragments = pass_drawn.work.fragments
     yield from _checks_of_draw(pass_drawn, oracle, dumped)
-    if one.feedback:
+    if one.fed_back:
         yield from _checks_of_rounds(rendering, one, fragments, dumped, how)
         return
     where = fragments.where if pass_drawn.visible else _same_triangle(one, fragments, oracle, dumped)
@@ -126,13 +126,11 @@ def _checks_of_rounds(
     rendering: Rebased, one: Pass, fragments: Fragments, dumped: Buffers, how: Judgement
 ) -> Iterator[Check]:
     """A pass that runs in rounds is checked as a whole: what lies between two rounds is not dumped."""
-    outputs = {own: rendering.buffers[name] for name, own in one.feedback.items()}
-    for _ in range(one.rounds):
-        fed = {name: outputs[own] for name, own in one.feedback.items()}
-        outputs = rendering.shade(one, fragments, rendering.buffers | fed, list(outputs), check=False)
+    scene, machine, names = rendering.scene, rendering.machine, [*one.fed_back]
+    outputs = one.folded(rendering.buffers, lambda read: shade(scene, one, fragments, read, names, machine))
     for name in (name for name in outputs if name in dumped):
         reach = np.abs(outputs[name].astype(np.float64)) * 1e-5 * (outputs[name].dtype == np.float32)
-        for read in (read for read, own in one.feedback.items() if own == name and read in how.rounded):
+        for read in (read for read, own in one.repetition["feedback"].items() if own == name and read in how.rounded):
             reach += step_of(how.stored.get(read, ""), outputs[name])  # a mean of texels is as far off as they are
         yield Check(one.name, one.stages[0].name, name, fragments.where, outputs[name], dumped[name], reach)
 
@@ -140,7 +138,7 @@ def _checks_of_rounds(
 def _same_triangle(one: Pass, fragments: Fragments, oracle: Result, dumped: Buffers) -> np.ndarray:
     """The fragments on which both drew the same triangle; elsewhere the rasterizer is to be judged, not the stages."""
     where = fragments.where
-    if isinstance(one.draw, MeshDraw):
+    if one.draw.vertex_stages:
         for name in (one.draw.triangle, one.draw.coverage):
             where = where & (oracle[name] == dumped[name]) if name in dumped else where
     return where

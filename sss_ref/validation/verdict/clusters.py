@@ -6,11 +6,9 @@ from operator import itemgetter
 
 import numpy as np
 
-from sss_ref.interpret import arrays
-from sss_ref.language.pipeline import MeshDraw, Pass
-from sss_ref.rendering.fold import Rendering
+from sss_ref.language.pipeline import Pass
+from sss_ref.rendering.draw import Machine, draw
 from sss_ref.rendering.result import Result
-from sss_ref.scene.catalogue import method_of_scene
 from sss_ref.validation.accept.drawn import Buffers
 
 SHADOW = "directly_lit"  # the buffers that say what lies in shadow begin with it
@@ -51,9 +49,7 @@ class Places:
         """
         one = self._mesh_pass(pass_name)
         if one.name not in self._shown:
-            rendering = Rendering(self.oracle.scene, arrays, None, set())
-            rendering.buffers = dict(self.oracle.buffers)
-            fragments = rendering.draw(one)[0]
+            fragments = draw(self.oracle.scene, one, self.oracle.buffers, Machine()).fragments
             assert fragments.piece is not None and fragments.primitives is not None
             shown = fragments.primitives.triangle[fragments.piece]
             self._shown[one.name] = np.where(fragments.piece >= 0, shown, np.int32(-1))
@@ -62,17 +58,17 @@ class Places:
     def at(self, pass_name: str, pixel: tuple[int, int]) -> tuple[int, ...]:
         """The triangle at a pixel (column, row), and that of the dump if it shows another one; -1 is none."""
         column, row = pixel
-        draw = self._mesh_pass(pass_name).draw
+        shown = self._mesh_pass(pass_name).draw.triangle
         ids = [self.triangles(pass_name)[row, column]]
-        if isinstance(draw, MeshDraw) and draw.triangle in self.dumped:
-            ids.append(self.dumped[draw.triangle][row, column])
+        if shown in self.dumped:
+            ids.append(self.dumped[shown][row, column])
         return tuple(dict.fromkeys(int(each) for each in ids))
 
     def clusters(self, pass_name: str, where: np.ndarray, wrong: np.ndarray) -> Clusters:
         """Where wrong pixels lie; where, wrong: bool (H, W), the compared pixels and some of them."""
-        triangles, draw = self.triangles(pass_name), self._mesh_pass(pass_name).draw
+        triangles, layout = self.triangles(pass_name), self._mesh_pass(pass_name).draw.layout
         outline = _varies(triangles >= 0)
-        border = "at the borders of the UV layout" if isinstance(draw, MeshDraw) and draw.layout else "at the outline"
+        border = "at the borders of the UV layout" if layout else "at the outline"
         named = {border: outline, "at triangle edges inside": _varies(triangles) & ~outline}
         for name in (name for name in self._mesh_pass(pass_name).outputs if name.startswith(SHADOW)):
             lit = self.oracle[name] != 0
@@ -82,11 +78,10 @@ class Places:
         return Clusters(zones, _sentence(zones, triangles, where, wrong))
 
     def _mesh_pass(self, pass_name: str) -> Pass:
-        passes = method_of_scene(self.oracle.scene).passes
-        names = [one.name for one in passes]
-        one = passes[names.index(pass_name)]
-        before = passes[: names.index(pass_name) + 1]
-        return next(each for each in reversed(before) if isinstance(each.draw, MeshDraw) and each.target == one.target)
+        method = self.oracle.scene.method
+        this_pass = method[pass_name]
+        before = method.passes[: method.passes.index(this_pass) + 1]
+        return next(each for each in reversed(before) if each.draw.vertex_stages and each.target == this_pass.target)
 
 
 def _sentence(zones: tuple[Zone, ...], triangles: np.ndarray, where: np.ndarray, wrong: np.ndarray) -> str:

@@ -15,7 +15,6 @@ import numpy as np
 from sss_ref.language.pipeline import Pass
 from sss_ref.language.types import Array, Texture, Vector, components, mat3, mat4
 from sss_ref.rendering.result import Result
-from sss_ref.scene.catalogue import method_of_scene
 from sss_ref.validation.accept.acceptance import acceptance_of
 from sss_ref.validation.accept.drawn import Buffers, Drawn, Rebased, Seen, stacked
 from sss_ref.validation.accept.rebased import Judgement, Step, walk
@@ -96,8 +95,8 @@ def power(
     """
     dumped = {name: oracle[name] for name in judged if name in oracle.buffers}
     rendering = Rebased(oracle, oracle.buffers, how.profile, seen)
-    for one in method_of_scene(oracle.scene).passes:
-        if not one.feedback and set(one.outputs) - set(one.draw.outputs) & set(judged):
+    for one in oracle.scene.method.passes:
+        if not one.fed_back and set(one.outputs) - set(one.draw.outputs) & set(judged):
             for trial in _trials(rendering.drawn(one), one, dumped, judged, how):
                 yield _power_of(trial)
 

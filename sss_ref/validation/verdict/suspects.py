@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
-from sss_ref.language.pipeline import CLIP_POSITION, MeshDraw, Method, Pass, ScreenDraw
+from sss_ref.language.pipeline import CLIP_POSITION, Method, Pass
 from sss_ref.validation.accept.rebased import RASTERIZER
 
 
@@ -35,19 +35,12 @@ def suspects(method: Method, pass_name: str, buffer: str, dumped: Collection[str
 def _writers(one: Pass) -> Iterator[Writer]:
     """Whatever writes something in a pass, in order."""
     draw = one.draw
-    if isinstance(draw, MeshDraw):
-        yield _writer(one, draw.vertex.name, draw.reads, {CLIP_POSITION, *draw.varyings})
+    for vertex in draw.vertex_stages:
+        yield _writer(one, vertex.name, draw.reads, {CLIP_POSITION, *draw.varyings})
         yield _writer(one, RASTERIZER, {CLIP_POSITION}, draw.outputs)
     for stage in one.stages:
         reads = {*stage.reads.values()}
-        yield _writer(one, stage.name, reads | _covered_by(draw, reads), stage.writes.values())
-
-
-def _covered_by(draw: MeshDraw | ScreenDraw, reads: set[str]) -> set[str]:
-    """The buffer that says where a stage runs: the stencil; of a mesh, if it reads varyings, what the draw writes."""
-    if isinstance(draw, ScreenDraw):
-        return set(draw.reads)
-    return {draw.triangle or draw.coverage} if reads & set(draw.varyings) else set()
+        yield _writer(one, stage.name, reads | draw.covered_by(reads), stage.writes.values())
 
 
 def _writer(one: Pass, stage: str, reads: Collection[str], writes: Collection[str]) -> Writer:

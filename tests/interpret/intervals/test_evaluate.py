@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 from fragments import VARIANTS, random_inputs
-from one_stage import Inputs, run, stages_by_module
+from one_stage import Inputs, stages_by_module
+from one_stage import run as run_stage
 from random_processor import Processor
 
 import sss_ref
@@ -39,8 +40,8 @@ from sss_ref.language.types import components, ivec2
 from sss_ref.numerics.interval import Interval
 from sss_ref.passes.blur import scatter
 from sss_ref.passes.translucency import translucency_ratio
-from sss_ref.rendering.fold import Rendering
-from sss_ref.scene.catalogue import method_of
+from sss_ref.rendering.draw import Machine, draw
+from sss_ref.rendering.fold import run
 
 F = np.float32
 VULKAN, IEEE = PROFILES["vulkan"], PROFILES["ieee"]
@@ -80,7 +81,7 @@ def channels(buffer):
 def test_the_oracles_values_lie_inside(stage_, variant, profile):
     inputs, values = prepared(stage_, variant)
     got = run_intervals(stage_, values, PROFILES[profile])
-    for name, buffer in run(arrays, stage_, inputs).items():
+    for name, buffer in run_stage(arrays, stage_, inputs).items():
         assert not outside(got[name], channels(buffer)).any()
 
 
@@ -88,7 +89,7 @@ def test_the_oracles_values_lie_inside(stage_, variant, profile):
 def test_ieee_gives_the_oracles_bits(stage_, variant):
     inputs, values = prepared(stage_, variant)
     got = run_intervals(stage_, values, IEEE)
-    for name, buffer in run(arrays, stage_, inputs).items():
+    for name, buffer in run_stage(arrays, stage_, inputs).items():
         for part, expected in zip(components(got[name].value), channels(buffer), strict=True):
             for end in np.broadcast_arrays(expected, part.low, part.high)[1:]:
                 known = expected == expected  # NaN, which undefined operations give, is any value on intervals
@@ -340,11 +341,10 @@ def works_of(scene, **overrides):
         f"{table}.{side}": 128 for table in ("camera", "shadow_map", "irradiance_map") for side in ("width", "height")
     }
     loaded = sss_ref.load_scene(scene, **small, **overrides)
-    method, recording = method_of(loaded.settings), Recording()
-    rendering = Rendering(loaded, recording, None, set(method.outputs))
-    for one in method.passes:
-        if not one.on_demand:
-            rendering.run(one, set(method.outputs))
+    method, recording = loaded.method, Recording()
+    wanted, buffers, machine = set(method.outputs), {}, Machine(recording)
+    for one in method.only(wanted).passes:
+        buffers |= run(loaded, one, draw(loaded, one, buffers, machine), buffers, wanted, machine)
     return recording.works
 
 

@@ -8,7 +8,6 @@ from scenes import LIGHT, around, sphere, two_slabs, written
 
 from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.rendering.fold import render
-from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.accept import drawn as passes_drawn
 from sss_ref.validation.accept.rebased import RASTERIZER
@@ -52,7 +51,7 @@ def test_the_oracle_passes_registers_and_taps_too(bodies, method, tables):
         around(bodies["sphere"], 64, method=method, irradiance_map={"width": 64, "height": 64}, **tables)
     )
     oracle = drawn(scene)
-    on_demand = [name for name in ("taps", "registers") if name in method_of(scene.settings).on_demand]
+    on_demand = [name for name in ("taps", "registers") if name in scene.method.on_demand]
     for dumped in (oracle.buffers, render(scene, "arrays", keep=["all", *on_demand]).buffers):
         found = verdict_on(dumped, oracle)
         assert found.passed and found.culprit is None and not found.missing

@@ -6,7 +6,6 @@ from scenes import around, two_slabs, written
 
 from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.rendering.fold import render
-from sss_ref.scene.catalogue import method_of_scene
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.accept.rebased import Judgement
 from sss_ref.validation.stage_by_stage import validate
@@ -66,7 +65,7 @@ def test_an_error_above_is_seen_and_one_far_below_is_not(path, oracle, report, s
 
 
 def test_every_judged_stage_is_tried_and_no_other(oracle):
-    stages = {stage.name for one in method_of_scene(oracle.scene).passes for stage in one.stages if not one.on_demand}
+    stages = {stage.name for one in oracle.scene.method.passes for stage in one.stages if not one.on_demand}
     assert {each.stage for each in validate(oracle, oracle.buffers).power} == stages
     some = validate(oracle, {name: oracle[name] for name in ("phong", "triangle")}).power
     assert [each.stage for each in some] == ["phong_shading"]

@@ -11,15 +11,17 @@ from typing import Any
 
 import numpy as np
 
+from sss_ref.interpret.intervals.enclosing import Outcome
 from sss_ref.interpret.intervals.evaluate import run_intervals
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.interpret.work import uniform_value
-from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, MeshDraw, Pass
+from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, Pass
 from sss_ref.language.types import components
 from sss_ref.raster.clip import W, X, Z
 from sss_ref.raster.primitives import Primitives, drawable, place
 from sss_ref.raster.viewport import Viewport
-from sss_ref.rendering.fold import Rendering, varying_columns
+from sss_ref.rendering.draw import Buffers, Machine, varying_columns, vertices
+from sss_ref.scene.scene import Scene
 
 ROUNDING = 2.0**-22  # relative, of 1/w, the product with it, and the viewport transform, together
 CUT = 2.0**-20  # of the largest coordinate of a triangle: the rounding of a vertex where it is cut
@@ -57,12 +59,13 @@ class Boxes:
         return drawable(self.primitives)
 
 
-def boxes_of(rendering: Rendering, one: Pass, profile: Profile) -> Boxes:
-    """The boxes of a pass that draws the mesh, on a processor of a profile."""
-    varyings, columns = varying_columns(one)
-    clip_position, attributes = rendering.vertices(one, varyings, columns)
-    clip_error, attribute_error = _vertex_errors(rendering, one, profile, clip_position, attributes)
-    viewport, triangles = rendering.viewport(one), rendering.scene.mesh.triangles
+def boxes_of(scene: Scene, this_pass: Pass, buffers: Buffers, profile: Profile) -> Boxes:
+    """The boxes of a pass that draws the mesh, on a processor of a profile. buffers: those of earlier passes."""
+    machine = Machine(subpixel_bits=profile.subpixel_bits)
+    clip_position, attributes = vertices(scene, this_pass, buffers, machine)
+    outcomes = _vertex_outcomes(scene, this_pass, buffers, profile)
+    clip_error, attribute_error = _vertex_errors(this_pass, outcomes, clip_position, attributes)
+    viewport, triangles = machine.viewport(scene, this_pass), scene.mesh.triangles
     primitives, placed = place(clip_position, attributes, triangles, viewport)
     given = triangles[primitives.triangle]
     clip_error = _with_cut_errors(clip_error, primitives, given, placed)
@@ -87,32 +90,28 @@ def boxes_of(rendering: Rendering, one: Pass, profile: Profile) -> Boxes:
     return Boxes(primitives, viewport, centre, half, off, rounding, depth_error, weight_error, attribute_error)
 
 
+def _vertex_outcomes(scene: Scene, this_pass: Pass, buffers: Buffers, profile: Profile) -> Mapping[str, Outcome]:
+    """What the vertex stage of a pass may write for every vertex, by name."""
+    (stage,) = this_pass.draw.vertex_stages
+    mesh, given = scene.mesh.attributes, {**scene.uniforms, **buffers}
+    inputs = {
+        own: kind(*mesh[own].T) if own in MESH_ATTRIBUTES else uniform_value(kind, given[stage.reads[own]])
+        for own, kind in stage.parameters.items()
+    }
+    return run_intervals(stage, inputs, profile.for_vertices)
+
+
 def _vertex_errors(
-    rendering: Rendering, one: Pass, profile: Profile, clip_position: np.ndarray, attributes: np.ndarray
+    this_pass: Pass, outcomes: Mapping[str, Outcome], clip_position: np.ndarray, attributes: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """How far from ours the clip positions (V, 4) and varyings (V, A) of another processor may be, float64."""
-    assert isinstance(one.draw, MeshDraw)
-    stage, given = one.draw.vertex, rendering.uniforms | rendering.buffers
-    outcomes = run_intervals(
-        stage, _vertex_inputs(stage.parameters, stage.reads, rendering, given), profile.for_vertices
-    )
-    clip_error = _distance(outcomes[stage.writes[CLIP_POSITION]].value, clip_position)
+    clip_error = _distance(outcomes[CLIP_POSITION].value, clip_position)
     attribute_error = np.zeros(attributes.shape)
-    for name, first in varying_columns(one)[0].items():
+    for name, first in varying_columns(this_pass)[0].items():
         parts = components(outcomes[name].value)
         columns = slice(first, first + len(parts))
         attribute_error[:, columns] = _distance(outcomes[name].value, attributes[:, columns])
     return clip_error, attribute_error
-
-
-def _vertex_inputs(
-    parameters: Mapping[str, Any], reads: Mapping[str, str], rendering: Rendering, given: Mapping[str, Any]
-) -> dict[str, Any]:
-    mesh = rendering.scene.mesh.attributes
-    return {
-        own: kind(*mesh[own].T) if own in MESH_ATTRIBUTES else uniform_value(kind, given[reads[own]])
-        for own, kind in parameters.items()
-    }
 
 
 def _distance(value: Any, ours: np.ndarray) -> np.ndarray:

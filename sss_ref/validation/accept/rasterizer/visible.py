@@ -7,7 +7,7 @@ from functools import cached_property
 import numpy as np
 
 from sss_ref.interpret.intervals.profile import Profile
-from sss_ref.language.pipeline import MeshDraw
+from sss_ref.language.pipeline import Draw
 from sss_ref.validation.accept.rasterizer.boxes import Boxes
 from sss_ref.validation.accept.rasterizer.candidates import FAR, Candidates, candidates
 from sss_ref.validation.accept.rasterizer.shared_edges import certain_ends
@@ -24,7 +24,7 @@ class Visible:
     draw, boxes: what is drawn, and its vertices. found: the candidates. covered: uint8 (H, W), MUST_NOT, MAY or MUST.
     """
 
-    draw: MeshDraw
+    draw: Draw
     boxes: Boxes
     found: Candidates
     covered: np.ndarray
@@ -106,7 +106,7 @@ class Visible:
         return self.boxes.drawable[self.found.piece]
 
 
-def visible(boxes: Boxes, draw: MeshDraw, overlap: str, profile: Profile) -> Visible:
+def visible(boxes: Boxes, draw: Draw, overlap: str, profile: Profile) -> Visible:
     """What may be seen of a draw. overlap: the scene's policy for a layout, "first" or "last"."""
     turn = {"last": -1}.get(overlap, 1) if draw.layout else 0
     height, width = boxes.viewport.height, boxes.viewport.width

@@ -10,7 +10,6 @@ from sss_ref.language.pipeline import MeshDraw
 from sss_ref.raster.interpolate import interpolate_arrays
 from sss_ref.raster.primitives import place
 from sss_ref.raster.viewport import Viewport
-from sss_ref.scene.catalogue import method_of_scene
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.accept.acceptance import INTERPOLATION
 from sss_ref.validation.accept.rasterizer.boxes import Boxes
@@ -24,7 +23,7 @@ HALF = 1 / 512
 @pytest.fixture(scope="module")
 def draws():
     """A draw with a depth test, and a layout."""
-    passes = method_of_scene(load_scene("figure5")).passes
+    passes = load_scene("figure5").method.passes
     found = {one.name: one.draw for one in passes if isinstance(one.draw, MeshDraw)}
     return found["camera"], found["irradiance_map"]
 

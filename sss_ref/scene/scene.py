@@ -1,0 +1,79 @@
+"""A scene together with the passes it will draw: what every renderer of this package asks."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+from numpy.typing import NDArray
+
+from sss_ref.language import Stage
+from sss_ref.language.names import Name
+from sss_ref.language.pipeline import Method, Pass
+from sss_ref.mesh.triangles import Mesh, array_hash
+from sss_ref.passes.buffers import described
+from sss_ref.scene.catalogue import method_of
+from sss_ref.scene.forms import Form, forms_of, size_of
+from sss_ref.scene.stages_replaced import with_stages
+from sss_ref.scene.uniforms import uniforms_of
+from sss_ref.scene.until import buffers_kept, buffers_until
+from sss_ref.scene_file.settings import SceneFile
+from sss_ref.view.matrices import Matrix
+from sss_ref.view.views import Light, View
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A scene ready to be rendered. It never changes; what is derived from it is worked out once."""
+
+    settings: SceneFile  # every key filled, the fitted ones too
+    source: str  # the scene file's path or the shipped scene's name; "scene" for a dictionary
+    mesh: Mesh
+    world_from_model: Matrix  # (4, 4)
+    camera: View
+    lights: tuple[Light, ...]
+    albedo: Mapping[str, NDArray[Any]]  # the uniforms of the surface's colour, see albedo_of
+    warnings: tuple[str, ...]  # what is drawn all the same, but may surprise
+    own_stages: Mapping[str, Stage] = field(default_factory=dict)  # name of a stage -> the user's in its place
+    own_uniforms: Mapping[str, Any] = field(default_factory=dict)  # what those read: name -> float32
+
+    @cached_property
+    def method(self) -> Method:
+        """The passes that the scene asks for, with the user's stages in their places (see `sss_ref.with_stage`)."""
+        return with_stages(method_of(self.settings), self.own_stages)
+
+    @cached_property
+    def uniforms(self) -> Mapping[str, Any]:
+        """Every uniform of every stage by name, float32 or int: scalars, or arrays (N,), (N, N), (N, C), (H, W, C)."""
+        own = uniforms_of(self.settings, self.world_from_model, self.camera, self.lights, self.method.constants)
+        return {**own, **self.albedo, **self.own_uniforms}
+
+    @cached_property
+    def forms(self) -> Mapping[str, Form]:
+        """Buffer -> its form, for all that the method can write, registers too, in stage order."""
+        return forms_of(self.method, self.settings)
+
+    def size(self, this_pass: Pass) -> tuple[int, int]:
+        """Width and height of what a pass draws into."""
+        return size_of(this_pass.target, self.settings)
+
+    def clear(self, buffer: str) -> Any:
+        """What a buffer holds where nothing is drawn: a number, or one for each channel."""
+        given = described(buffer).background
+        if not isinstance(given, str):
+            return given
+        of_its_light = str(Name.of(given).of_light(Name.of(buffer).light))
+        return self.uniforms.get(of_its_light, self.uniforms.get(given))
+
+    def kept(self, keep: str | Iterable[str]) -> set[str]:
+        """The buffers that some names stand for; see `buffers_kept`. Raises SceneError for an unknown one."""
+        return buffers_kept(self.method, keep)
+
+    def until(self, end: str) -> list[str]:
+        """The buffers up to a pass, a stage or a buffer; see `buffers_until`. Raises SceneError for any other name."""
+        return buffers_until(self.method, end)
+
+    def input_hashes(self) -> dict[str, str]:
+        """Name of everything that was read from a mesh or texture file -> its `array_hash` after decoding (rule A5)."""
+        colors = {name: self.albedo[name] for name in ("albedo_map", "material_color") if name in self.albedo}
+        return self.mesh.hashes() | {name: array_hash(name, array) for name, array in colors.items()}
