@@ -32,7 +32,8 @@ def canonical_names(this_pass: Pass) -> Callable[[str], str]:
     numbers = {name.light for name in names.values()} - {0}
     if len(numbers) != 1 or any(name.light and str(name.of_light(0)) in names for name in names.values()):
         return lambda text: text
-    return lambda text: str(Name.of(text).of_light(0))
+    (shared,) = numbers
+    return lambda text: str(Name.of(text).of_light(0)) if Name.of(text).light == shared else text
 
 
 def renamed(this_pass: Pass, rename: Callable[[str], str]) -> Pass:
