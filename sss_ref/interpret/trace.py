@@ -116,7 +116,7 @@ class _Lines:
                 return value
             case tree.Constant(type=kind, value=value):
                 return np.float32(value) if kind is float else value
-            case tree.Name(name=name):
+            case tree.Variable(name=name):
                 return self.names[name]
             case tree.Member(vector=vector, letters=letters):
                 return getattr(self.value(vector), letters)

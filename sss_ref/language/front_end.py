@@ -161,10 +161,10 @@ class _Reader:
             self.fail(node, f"literal {value!r} is neither a number nor a truth value")
         return tree.Literal(type(value), value)
 
-    def name(self, node: ast.expr, name: str) -> tree.Name | tree.Constant:
+    def name(self, node: ast.expr, name: str) -> tree.Variable | tree.Constant:
         if name in self.names:
             self.used.add(name)
-            return tree.Name(self.names[name], name)
+            return tree.Variable(self.names[name], name)
         value = self.scope.get(name)
         if isinstance(value, np.float32):
             return tree.Constant(float, name, float(value))
@@ -213,6 +213,6 @@ class _Reader:
 
     def element(self, node: ast.expr, name: str, index: ast.expr) -> tree.Element:
         array = self.name(node, name)
-        if not isinstance(array, tree.Name) or get_origin(array.type) is not Array:
+        if not isinstance(array, tree.Variable) or get_origin(array.type) is not Array:
             self.fail(node, f"`{name}` is {type_name(array.type)}: only a uniform Array has elements")
         return tree.Element(get_args(array.type)[0], array, self.typed(index, int))

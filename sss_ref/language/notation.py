@@ -12,7 +12,7 @@ def written(expression: tree.Expression) -> str:
     match expression:
         case tree.Literal(value=value):
             return repr(value)
-        case tree.Constant(name=name) | tree.Name(name=name):
+        case tree.Constant(name=name) | tree.Variable(name=name):
             return name
         case tree.Member(vector=vector, letters=letters):
             return f"{_inside(vector, ATOM)}.{letters}"

@@ -46,7 +46,7 @@ class Constant:
 
 
 @dataclass(frozen=True)
-class Name:
+class Variable:
     """A parameter, a local value or a loop index."""
 
     type: Any
@@ -84,7 +84,7 @@ class Element:
     """One element of a uniform array."""
 
     type: Any
-    array: Name
+    array: Variable
     index: Expression
 
 
@@ -98,7 +98,7 @@ class Call:
     body: Body | None = None
 
 
-Expression = Literal | Constant | Name | Member | Operation | Construct | Element | Call
+Expression = Literal | Constant | Variable | Member | Operation | Construct | Element | Call
 
 
 @dataclass(frozen=True)
@@ -152,7 +152,7 @@ def children(expression: Expression) -> tuple[Expression, ...]:
 
 def names_in(expression: Expression) -> Iterator[str]:
     """Every name an expression mentions."""
-    if isinstance(expression, Name):
+    if isinstance(expression, Variable):
         yield expression.name
     for inner in children(expression):
         yield from names_in(inner)

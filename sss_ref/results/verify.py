@@ -12,7 +12,8 @@ from sss_ref.results.diff import first_difference
 from sss_ref.results.folder import read_buffer
 from sss_ref.results.manifest import BufferRecord, Manifest, read_manifest
 from sss_ref.rules import RULES_VERSION
-from sss_ref.scene.load import Scene, load_scene
+from sss_ref.scene.load import load_scene
+from sss_ref.scene.scene import Scene
 from sss_ref.scene_file.shipped import find_mesh
 
 

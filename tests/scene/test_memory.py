@@ -3,8 +3,8 @@
 from collections import Counter
 
 import pytest
+from alternatives import all_methods
 from PIL import Image
-from test_structure import all_methods
 
 from sss_ref.errors import SceneError
 from sss_ref.language.layout import CHANNELS, dtype_of

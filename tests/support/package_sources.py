@@ -17,7 +17,10 @@ def module_name(source, package=PACKAGE):
 
 
 def imported_names(text):
-    """All that a source's text imports, at its top, inside functions and for types: dotted names, longest last."""
+    """All that a source's text imports, at its top, inside functions, for types, and by a name in quotes: dotted names.
+
+    The longest of one import comes last.
+    """
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.ImportFrom):
             assert not node.level, "relative imports are not read"
@@ -25,6 +28,8 @@ def imported_names(text):
             yield from (f"{node.module}.{alias.name}" for alias in node.names)
         elif isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.Call) and ast.unparse(node.func) == "import_module":
+            yield from (given.value for given in node.args if isinstance(given, ast.Constant))
 
 
 def import_graph(package=PACKAGE):

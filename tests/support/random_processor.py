@@ -144,7 +144,7 @@ class Processor:
         match expression:
             case tree.Literal(value=value) | tree.Constant(value=value):
                 return value
-            case tree.Name(name=name):
+            case tree.Variable(name=name):
                 return names[name]
             case tree.Member(vector=vector, letters=letters):
                 return getattr(self.value(vector, names, slack), letters)

@@ -117,7 +117,7 @@ class _Walk:
         match expression:
             case tree.Literal(value=value) | tree.Constant(value=value):
                 return Outcome(point(choices.computable(value)))
-            case tree.Name(name=name):
+            case tree.Variable(name=name):
                 return self.names[name]
         inner = [self.outcome(child) for child in tree.children(expression)]
         if isinstance(expression, tree.Call):

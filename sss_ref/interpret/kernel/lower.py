@@ -163,7 +163,7 @@ class Lowering:
 
     def value(self, expression: tree.Expression) -> Value:
         """What an argument stands for: a texture or array as it is, else its components."""
-        if isinstance(expression, tree.Name):
+        if isinstance(expression, tree.Variable):
             return self.names[expression.name]
         return self.scalars(expression)
 
@@ -174,7 +174,7 @@ class Lowering:
                 return [self.lines.literal(value)]
             case tree.Constant(value=value):
                 return [self.lines.literal(value)]
-            case tree.Name(name=name):
+            case tree.Variable(name=name):
                 return self.scalars_of(name)
             case tree.Member(vector=vector, letters=letters):
                 inside = self.scalars(vector)

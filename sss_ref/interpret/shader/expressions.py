@@ -71,7 +71,7 @@ class Expressions:
                 return text, SIGN if text.startswith("-") else ATOM
             case tree.Constant():
                 return self.definitions.constant(expression), ATOM
-            case tree.Name(name=name):
+            case tree.Variable(name=name):
                 return self.dialect.name(name), ATOM
             case tree.Member(vector=vector, letters=letters):
                 return f"{self.text(vector, ATOM)}.{letters}", ATOM
@@ -99,7 +99,7 @@ class Expressions:
         symbol = SYMBOLS.get(expression.operator, expression.operator)
         return f"{self.text(first, binding)} {symbol} {self.text(expression.operands[1], binding + 1)}", binding
 
-    def element(self, array: tree.Name, index: str) -> tuple[str, int]:
+    def element(self, array: tree.Variable, index: str) -> tuple[str, int]:
         """One element of a uniform array."""
         name, (kind,) = self.dialect.name(array.name), get_args(array.type)
         if array.name in self.lengths:

@@ -87,7 +87,7 @@ class Library:
         callee, body = call.callee, call.body
         assert isinstance(callee, Function) and body is not None
         given = zip(body.parameters, call.arguments, strict=True)
-        own = {name: lengths[a.name] for name, a in given if isinstance(a, tree.Name) and a.name in lengths}
+        own = {name: lengths[a.name] for name, a in given if isinstance(a, tree.Variable) and a.name in lengths}
         first = self.dialect.function(callee.name + texel_suffix(callee, body))
         kinds = (*body.parameters.values(), *own.items())
         doc, lines = inspect.getdoc(callee.python), self._body(body, own)
