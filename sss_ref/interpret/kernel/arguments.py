@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from sss_ref.interpret.kernel.lower import suffixes
-from sss_ref.interpret.work import FLOAT32
+from sss_ref.language.layout import FLOAT32
 from sss_ref.language.pipeline import MESH_ATTRIBUTES, MeshDraw, Pass, ScreenDraw
 from sss_ref.language.types import mat3, mat4, vec2, vec3, vec4
 
