@@ -1,0 +1,45 @@
+"""Every benchmark has a record in benchmarks/results, and every record says of which machine its numbers are."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+FOLDER = Path(__file__).parents[1] / "benchmarks"
+BENCHMARKS = {path.name for path in FOLDER.glob("*.py")} - {"record.py"}
+RECORDS = sorted((FOLDER / "results").glob("*.txt"))
+MACHINE = re.compile(
+    r"\S.*, \d+ cores, \d+ GiB, \S+ \S+, Python [\d.]+, numpy [\d.]+, numba [\d.]+, "
+    r"\d{4}-\d\d-\d\d, commit [0-9a-f]{12}"
+)
+
+
+def head_and_output(record):
+    head, _, printed = record.read_text(encoding="utf-8").partition("\n\n")
+    return head.splitlines(), printed
+
+
+@pytest.mark.parametrize("record", RECORDS, ids=lambda path: path.stem)
+def test_a_record_names_its_command_and_its_machine(record):
+    (command, machine, *notes), printed = head_and_output(record)
+    assert re.match(r"\$ python benchmarks/(\w+\.py)( |$)", command)[1] in BENCHMARKS
+    assert MACHINE.fullmatch(machine) and len(notes) <= 1
+    assert printed.strip()
+
+
+def test_a_record_is_what_the_benchmark_prints(tmp_path):
+    """In a folder of its own: the recorder, a benchmark of one line, and a commit to name."""
+    (tmp_path / "record.py").write_text((FOLDER / "record.py").read_text())
+    (tmp_path / "greet.py").write_text("import sys\nprint('hello', *sys.argv[1:])")
+    identity = ["-c", "user.name=nobody", "-c", "user.email=nobody@localhost"]
+    for words in (["init", "-q"], ["add", "."], [*identity, "commit", "-q", "-m", "Greet"]):
+        subprocess.run(["git", *words], cwd=tmp_path, check=True)
+    command = [sys.executable, "record.py", "--note", "a test", "greet.py", "--size", "3"]
+    shown = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True).stdout
+    record = tmp_path / "results" / "greet.txt"
+    (command, machine, note), printed = head_and_output(record)
+    assert (command, note, printed) == ("$ python benchmarks/greet.py --size 3", "a test", "hello --size 3\n")
+    assert MACHINE.fullmatch(machine)
+    assert record.read_text() == shown
