@@ -7,6 +7,7 @@ from pathlib import Path
 import command_reference
 import language_reference
 import mapping_reference
+import rooms
 import scene_reference
 import stage_reference
 
@@ -33,10 +34,14 @@ def what_notebooks_run() -> str:
 
 
 def write(folder: Path) -> None:
-    """Write the pages, and copy the notebooks with the modules they import; what was there before is removed."""
+    """Write the pages and the picture of the rooms, and copy the notebooks with the modules they import.
+
+    What was there before is removed.
+    """
     shutil.rmtree(folder, ignore_errors=True)
     for name, text in texts().items():
         page = folder / f"{name}.md"
         page.parent.mkdir(parents=True, exist_ok=True)
         page.write_text(text, encoding="utf-8")
+    (folder / "rooms.svg").write_text(rooms.picture(), encoding="utf-8")
     shutil.copytree(NOTEBOOKS, folder / "course", ignore=shutil.ignore_patterns("__pycache__"))
