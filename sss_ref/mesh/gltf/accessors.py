@@ -81,7 +81,7 @@ class Accessors:
                 remedy = "name KHR_mesh_quantization in extensionsRequired, or export floats"
             raise self._document.refused(user, expected, f"{accessor.type} of {component}", remedy)
         if count is not None and accessor.count != count:
-            raise self._document.refused(user, f"{count} elements, one per vertex", str(accessor.count))
+            raise self._document.refused(user, f"{count} elements, as many as the others", str(accessor.count))
         if accessor.count > BUDGET:
             raise self._document.refused(user, f"at most {BUDGET} elements", str(accessor.count), "simplify the mesh")
         return accessor

@@ -26,8 +26,8 @@ EXPECTED = {  # pydantic's name of a problem -> what was expected
     "missing": "a value",
     "greater_than_equal": "at least {ge}",
     "less_than_equal": "at most {le}",
-    "too_short": "{min_length} values",
-    "too_long": "{max_length} values",
+    "too_short": "at least {min_length} values",
+    "too_long": "at most {max_length} values",
     "literal_error": "{expected}",
 }
 
