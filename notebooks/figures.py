@@ -222,7 +222,7 @@ def mark(axes: Axes, pixel: tuple[int, int]) -> None:
 
 def explained(explanation: Explanation, stage: str) -> HTML:
     """The part of an explanation that belongs to one stage, as a notebook shows it."""
-    return HTML(html(sections(explanation, stage)))
+    return HTML(html(sections(explanation.passes, stage)))
 
 
 def _bare(axes: Axes, title: str) -> None:

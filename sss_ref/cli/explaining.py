@@ -37,7 +37,7 @@ def explain(
         explanation = explain_scene(
             load_scene(scene, **changes.overrides()), at, execution.interpreter, execution.threads
         )
-    for section in sections(explanation, stage, depth, glsl):
+    for section in sections(explanation.passes, stage, depth, glsl):
         _print(section)
     return 0
 

@@ -1,17 +1,20 @@
 """Collects what made one pixel, from the triangle it shows to its final colour."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from sss_ref.errors import SceneError
+from sss_ref.explanation.page import html
 from sss_ref.explanation.places import Place, place_of
+from sss_ref.explanation.rows import sections
+from sss_ref.explanation.traces import Corner, PassTrace, StageTrace, TriangleTrace
 from sss_ref.interpret.arrays import draw_values, stage_input
-from sss_ref.interpret.trace import Bounds, Step, scalar, trace
+from sss_ref.interpret.trace import scalar, trace
 from sss_ref.interpret.work import Fragments, Work, uniform_value
-from sss_ref.language.pipeline import MESH_ATTRIBUTES, MeshDraw, Pass
+from sss_ref.language.pipeline import MESH_ATTRIBUTES, Pass
 from sss_ref.language.stage import Stage
 from sss_ref.raster.interpolate import weights_arrays
 from sss_ref.rendering.draw import Machine, draw, shade
@@ -19,52 +22,6 @@ from sss_ref.rendering.fold import render
 from sss_ref.rendering.result import Result
 from sss_ref.scene.scene import Scene
 from sss_ref.scene_file.viewpoints import Camera
-
-
-@dataclass(frozen=True)
-class StageTrace:
-    """A stage at one fragment or vertex.
-
-    reads: name -> value, textures and uniform arrays included. writes: name -> value. at: which vertex, or "".
-    bounds: name -> what a value that is read may be at least and at most on another processor, if that was asked for.
-    """
-
-    stage: Stage
-    reads: Mapping[str, Any]
-    steps: tuple[Step, ...]
-    writes: Mapping[str, Any]
-    at: str = ""
-    bounds: Mapping[str, Bounds | None] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Corner:
-    """A corner of the piece that a fragment lies on: its weight, exact in float32 (rule R5), and its 1/w."""
-
-    vertex: int
-    weight: np.float32
-    inverse_w: np.float32
-
-
-@dataclass(frozen=True)
-class Drawn:
-    """What a draw of the mesh gives a fragment; clipped: the corners are cut vertices and not the triangle's own."""
-
-    triangle: int
-    corners: tuple[Corner, ...]
-    clipped: bool
-    vertices: tuple[StageTrace, ...]  # the vertex stage at the corners of the triangle
-    values: Mapping[str, Any]  # varyings, interpolated
-
-
-@dataclass(frozen=True)
-class PassTrace:
-    """A pass at one pixel of its target. drawn: None for a rectangle. stages: empty where nothing is drawn."""
-
-    name: str
-    place: Place
-    drawn: Drawn | None
-    stages: tuple[StageTrace, ...]
 
 
 @dataclass(frozen=True)
@@ -77,10 +34,7 @@ class Explanation:
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""
-        from sss_ref.explanation.page import html
-        from sss_ref.explanation.rows import sections
-
-        return html(sections(self))
+        return html(sections(self.passes))
 
 
 def explain(
@@ -125,7 +79,7 @@ def _traced(result: Result, this_pass: Pass, place: Place) -> PassTrace:
     work = Work(this_pass, fragments, result.scene.uniforms, inputs, {}, {})
     at = np.array([row]), np.array([column])
     values = {name: scalar(value) for name, value in draw_values(work, *at).items()}
-    drawn = _drawn(result, work, place.pixel, values) if this_pass.draw.vertex_stages else None
+    drawn = _under(result, work, place.pixel, values) if this_pass.draw.vertex_stages else None
     return PassTrace(this_pass.name, place, drawn, tuple(_stages(work, at, values)))
 
 
@@ -153,21 +107,19 @@ def _stages(work: Work, at: tuple[np.ndarray, np.ndarray], values: dict[str, Any
         yield StageTrace(stage, dict(zip(stage.reads.values(), inputs, strict=True)), steps, writes)
 
 
-def _drawn(result: Result, work: Work, pixel: tuple[int, int], values: Mapping[str, Any]) -> Drawn:
-    """The triangle under a pixel, its corners, and what is interpolated between them."""
-    draw, fragments = work.this_pass.draw, work.fragments
-    assert isinstance(draw, MeshDraw) and fragments.piece is not None and fragments.primitives is not None
-    (column, row), primitives = pixel, fragments.primitives
-    piece = fragments.piece[row, column]
+def _under(result: Result, work: Work, pixel: tuple[int, int], values: Mapping[str, Any]) -> TriangleTrace:
+    """The triangle under a pixel that the mesh covers, its corners, and what is interpolated between them."""
+    (column, row), fragments, mesh = pixel, work.fragments, result.scene.mesh
+    primitives, pieces = fragments.of_mesh
+    piece = pieces[row, column]
     weights = weights_arrays(primitives, np.array([piece]), np.array([column]), np.array([row]), fragments.step)[:, 0]
     triangle = int(primitives.triangle[piece])
-    own = result.scene.mesh.triangles[triangle]
-    corners = primitives.corners[piece]
-    return Drawn(
+    corners, own = primitives.corners[piece], mesh.triangles[triangle]
+    return TriangleTrace(
         triangle,
         tuple(Corner(int(v), w, primitives.inverse_w[v]) for v, w in zip(corners, weights, strict=True)),
         not np.array_equal(own, corners),
-        tuple(_vertex(result, draw.vertex, int(vertex)) for vertex in own),
+        tuple(_vertex(result, stage, int(v)) for stage in work.this_pass.draw.vertex_stages for v in own),
         {name: values[name] for name in fragments.varyings},
     )
 

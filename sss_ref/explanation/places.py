@@ -19,15 +19,17 @@ class Place:
     reason: str
 
 
-def place_of(one: Pass, size: tuple[int, int], buffers: Mapping[str, np.ndarray], pixel: tuple[int, int]) -> Place:
+def place_of(
+    this_pass: Pass, size: tuple[int, int], buffers: Mapping[str, np.ndarray], pixel: tuple[int, int]
+) -> Place:
     """Where a pass with a target of this size (width, height) is to be looked at, for a pixel of the image."""
-    if one.target == "camera":
+    if this_pass.target == "camera":
         return Place(pixel, "the pixel itself")
-    light = Name.of(one.name).light
+    light = Name.of(this_pass.name).light
     shadow_uv, shadow_valid, looked_up = (
         str(Name(base, light)) for base in ("shadow_uv", "shadow_valid", "irradiance_uv")
     )
-    if one.target == "shadow_map":
+    if this_pass.target == "shadow_map":
         if shadow_uv not in buffers:
             return Place(None, "looked up at the vertices, see there")
         return _texel(shadow_uv, size, buffers, pixel, hit=bool(buffers[shadow_valid][pixel[::-1]]))

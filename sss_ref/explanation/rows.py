@@ -1,13 +1,13 @@
 """An explanation as a list of headed tables, for the terminal and for a page alike."""
 
 import inspect
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 from sss_ref.errors import SceneError
-from sss_ref.explanation.explain import Drawn, Explanation, PassTrace, StageTrace
 from sss_ref.explanation.shader_lines import Translate, glsl_lines
+from sss_ref.explanation.traces import PassTrace, StageTrace, TriangleTrace
 from sss_ref.explanation.values import between, bits, shown
 from sss_ref.interpret.trace import Bounds, Step
 from sss_ref.language.pipeline import MESH_ATTRIBUTES
@@ -61,38 +61,40 @@ class Section:
         return any(row.bounds for row in self.rows)
 
 
-def sections(explanation: Explanation, stage: str | None = None, depth: int = 1, glsl: bool = False) -> list[Section]:
-    """The tables of an explanation.
+def sections(
+    passes: Sequence[PassTrace], stage: str | None = None, depth: int = 1, glsl: bool = False
+) -> list[Section]:
+    """The tables of what made a pixel.
 
     stage: show this one only. depth: how many calls inside each other are opened; 1 shows what the calls in a line of
     a stage give, 2 also the lines of those functions. glsl: with every line as the shader has it.
     Raises SceneError for a stage that is not there.
     """
     detail = Detail(depth, glsl)
-    found = [section for one in explanation.passes for section in _of_pass(one, detail)]
+    found = [section for each in passes for section in _of_pass(each, detail)]
     if stage is None:
         return found
     chosen = [section for section in found if section.level == 2 and section.title.split()[0] == stage]
     if not chosen:
-        names = dict.fromkeys(traced.stage.name for one in explanation.passes for traced in one.stages)
+        names = dict.fromkeys(traced.stage.name for each in passes for traced in each.stages)
         raise SceneError(f"stage: expected one of {', '.join(names)}, got {stage!r}; none of that name made this pixel")
     return chosen
 
 
-def _of_pass(one: PassTrace, detail: Detail) -> Iterator[Section]:
-    at = "" if one.place.pixel is None else f"pixel {one.place.pixel[0]},{one.place.pixel[1]}: "
-    yield Section(1, f"pass {one.name}", at + one.place.reason)
-    if one.drawn:
+def _of_pass(this_pass: PassTrace, detail: Detail) -> Iterator[Section]:
+    at = "" if this_pass.place.pixel is None else f"pixel {this_pass.place.pixel[0]},{this_pass.place.pixel[1]}: "
+    yield Section(1, f"pass {this_pass.name}", at + this_pass.place.reason)
+    if this_pass.drawn:
         told: set[str] = set()  # the uniforms are the same at every corner
-        for vertex in one.drawn.vertices:
+        for vertex in this_pass.drawn.vertices:
             yield section_of(vertex, detail, told)
             told = set(vertex.reads) - set(MESH_ATTRIBUTES)
-        yield _of_draw(one.drawn)
-    for traced in one.stages:
+        yield _of_draw(this_pass.drawn)
+    for traced in this_pass.stages:
         yield section_of(traced, detail)
 
 
-def _of_draw(drawn: Drawn) -> Section:
+def _of_draw(drawn: TriangleTrace) -> Section:
     """The triangle, the weights of its corners, and what is interpolated."""
     cut = " (a piece of it: the clipper has cut it, and its corners are new vertices)" if drawn.clipped else ""
     section = Section(2, f"triangle {drawn.triangle}", f"rules R1 to R5{cut}")

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from sss_ref.explanation.explain import StageTrace
+from sss_ref.explanation.traces import StageTrace
 from sss_ref.interpret.shader import GLSL
 from sss_ref.interpret.shader.expressions import Expressions
 from sss_ref.interpret.shader.library import Library

@@ -30,6 +30,12 @@ class Fragments:
     stencil: np.ndarray | None = None
 
     @property
+    def of_mesh(self) -> tuple[Primitives, np.ndarray]:
+        """The pieces of the mesh, and which of them each pixel shows; only of a draw of the mesh."""
+        assert self.primitives is not None and self.piece is not None
+        return self.primitives, self.piece
+
+    @property
     def where(self) -> np.ndarray:
         """Bool (H, W): which pixels hold a fragment."""
         if self.piece is not None:

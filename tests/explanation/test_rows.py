@@ -25,7 +25,7 @@ def told(tmp_path_factory):
 
 
 def rows_of(told, stage, depth=1):
-    (section,) = sections(told, stage, depth)
+    (section,) = sections(told.passes, stage, depth)
     return section.rows
 
 
@@ -95,13 +95,13 @@ def test_depth_opens_calls(told):
 
 
 def test_every_line_as_glsl(told):
-    (section,) = sections(told, "back_point", glsl=True)
+    (section,) = sections(told.passes, "back_point", glsl=True)
     assert [row.glsl for row in section.rows if row.kind == "line"] == [
         "vec3 direction = normalize(position_world - light_position);",
         "vec3 entry_point = shadow_valid ? light_position + direction * stored_distance : position_world;",
         "float thickness = length(position_world - entry_point);",
     ]
-    (section,) = sections(told, "scatter", glsl=True)
+    (section,) = sections(told.passes, "scatter", glsl=True)
     assert "total = total + tap_sample(lit, pixel, tap_offset[tap] * pixel_scale) * tap_weight[tap];" in [
         row.glsl for row in section.rows
     ]
@@ -122,7 +122,7 @@ def test_every_tap_is_a_turn_with_its_weight_and_sample(told):
 
 
 def test_uniforms_of_the_vertices_are_told_once(told):
-    vertices = [section for section in sections(told) if section.title.startswith("mesh_vertex at vertex")]
+    vertices = [section for section in sections(told.passes) if section.title.startswith("mesh_vertex at vertex")]
     assert len(vertices) == 6  # three of the shadow map's triangle, three of the camera's
     assert ["world_from_model" in [row.text for row in section.rows] for section in vertices] == [
         True,
@@ -140,12 +140,12 @@ def test_matrices_are_told_row_by_row(told):
 
 def test_a_stage_that_did_not_run(told):
     with pytest.raises(SceneError, match=r"stage: expected one of distance_to_light, .*, got 'lit_add'; none of that"):
-        sections(told, "lit_add")
+        sections(told.passes, "lit_add")
 
 
 def test_as_a_page(told):
     page = told._repr_html_()
-    assert page.count("<details") == len([section for section in sections(told) if section.level == 2])
+    assert page.count("<details") == len([section for section in sections(told.passes) if section.level == 2])
     assert "may be" not in page and "may-be" not in page  # nobody asked
     assert "directly_lit = (facing &gt; 0.0) &amp; (behind &lt;= bias)" in page
     assert f"{told.result['thickness'][17, 16].view(np.uint32):08x}" in page

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from sss_ref.explanation.explain import StageTrace
 from sss_ref.explanation.rows import Detail, Row, Section, row_of, section_of
+from sss_ref.explanation.traces import StageTrace
 from sss_ref.interpret.intervals.bounded_trace import bounds_of, with_bounds
 from sss_ref.interpret.trace import scalar, trace
 from sss_ref.interpret.work import buffer_value
