@@ -15,7 +15,7 @@ from sss_ref.cli.options import Changes, Execution
 from sss_ref.errors import SceneError
 from sss_ref.results import verify as verify_module
 from sss_ref.results.manifest import read_manifest
-from sss_ref.results.verify import Verdict
+from sss_ref.results.verify import Verification
 from sss_ref.scene_file import shipped
 
 TETRAHEDRON = """v 0 0 0
@@ -97,7 +97,7 @@ def test_until(out):
 
 
 def test_verify_tells_a_difference_by_its_exit_code(out, capsys, monkeypatch):
-    monkeypatch.setattr(verify_module, "verify", lambda *_: Verdict(False, "computation differs: [red]"))
+    monkeypatch.setattr(verify_module, "verify", lambda *_: Verification(False, "computation differs: [red]"))
     assert main(["verify", str(out)]) == 1
     assert capsys.readouterr().out == "computation differs: [red]\n"
 

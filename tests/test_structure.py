@@ -29,13 +29,9 @@ BACK_DOORS = {("sss_ref.rendering.result", "results")}  # Result.save
 
 # What is still to be mended. Whoever mends one deletes its line: a line without its cause fails too.
 UPWARD: set[tuple[str, str]] = set()
-CIRCLES = [
-    "sss_ref.explanation: explain, page, rows, shader_lines",
-]
+CIRCLES: list[str] = []
 TWICE = {
-    "Drawn",
     "Step",
-    "Verdict",
 }
 
 

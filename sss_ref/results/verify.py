@@ -18,7 +18,7 @@ from sss_ref.scene_file.shipped import find_mesh
 
 
 @dataclass(frozen=True)
-class Verdict:
+class Verification:
     """What came of it: whether all is equal, and what to tell the user."""
 
     equal: bool
@@ -30,7 +30,7 @@ def verify(
     interpreter: str = "kernel",
     threads: int | None = None,
     on_pass: Callable[[str], None] | None = None,
-) -> Verdict:
+) -> Verification:
     """Whether the scene recorded in a result folder still gives the recorded buffers.
 
     Where something differs the message says what: the rules, a file of the folder, the mesh, or else the computation,
@@ -39,25 +39,25 @@ def verify(
     """
     manifest = read_manifest(folder)
     if manifest.rules_version != RULES_VERSION:
-        return Verdict(False, f"made under other rules ({manifest.rules_version} -> {RULES_VERSION})")
+        return Verification(False, f"made under other rules ({manifest.rules_version} -> {RULES_VERSION})")
     if manifest.own_stages:
         names = ", ".join(manifest.own_stages)
         raise DumpError(f"{folder}: expected our stages, got others for {names}; render with them again and use diff")
     changed = [record.file for record in manifest.buffers if _is_changed(record, folder)]
     if changed:
-        return Verdict(False, f"the file {changed[0]} was changed since ({_counted(len(changed), 'such file')})")
+        return Verification(False, f"the file {changed[0]} was changed since ({_counted(len(changed), 'such file')})")
     scene = _recorded_scene(manifest, folder)
     found = scene.input_hashes()
     other = [name for name in manifest.inputs | found if manifest.inputs.get(name) != found.get(name)]
     if other:
-        return Verdict(False, f"input differs: {', '.join(other)} of the mesh {scene.settings.mesh.path}")
+        return Verification(False, f"input differs: {', '.join(other)} of the mesh {scene.settings.mesh.path}")
     result = _rendered_again(scene, manifest, interpreter, threads, on_pass)
     for record in manifest.buffers:
         computed = result[record.name]
         if result.hashes[record.name] != record.sha256:
             difference = first_difference(read_buffer(folder / record.file), computed)
-            return Verdict(False, f"computation differs: buffer {record.name}, {difference}")
-    return Verdict(True, f"verified: {_counted(len(manifest.buffers), 'buffer')} equal in every bit")
+            return Verification(False, f"computation differs: buffer {record.name}, {difference}")
+    return Verification(True, f"verified: {_counted(len(manifest.buffers), 'buffer')} equal in every bit")
 
 
 def _is_changed(record: BufferRecord, folder: Path) -> bool:
@@ -72,13 +72,13 @@ def _recorded_scene(manifest: Manifest, folder: Path) -> Scene:
     recorded = manifest.scene
     named = recorded.settings.get("mesh", {})
     beside = folder.resolve().parent
-    candidates = (
+    meshes = (
         find_mesh(path, beside) for path in (recorded.mesh_file, named.get("path", ""), Path(recorded.mesh_file).name)
     )
-    files = {"mesh.path": next((str(path) for path in candidates if path), recorded.mesh_file)}
+    files = {"mesh.path": next((str(path) for path in meshes if path), recorded.mesh_file)}
     if recorded.texture_file is not None:
-        places = (Path(recorded.texture_file), beside / Path(recorded.texture_file).name)
-        files["mesh.texture"] = next((str(path) for path in places if path.is_file()), recorded.texture_file)
+        textures = (Path(recorded.texture_file), beside / Path(recorded.texture_file).name)
+        files["mesh.texture"] = next((str(path) for path in textures if path.is_file()), recorded.texture_file)
     return load_scene(recorded.settings, **files)
 
 
