@@ -47,8 +47,9 @@ def glsl(
     if stage is not None:
         out.print(stage_source(_found(stage, method.passes), lengths, DIALECTS[dialect]), markup=False)
     if stage is None and not files:
-        for one in method.passes:
-            out.print(f"{one.name}: {', '.join(dict.fromkeys(each.name for each in _stages(one)))}")
+        for this_pass in method.passes:
+            names = dict.fromkeys(each.name for each in _stages(this_pass))
+            out.print(f"{this_pass.name}: {', '.join(names)}")
     return 0
 
 

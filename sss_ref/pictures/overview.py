@@ -68,18 +68,18 @@ def write_overview(path: Path, result: Result) -> None:
 def _tiles(result: Result) -> Iterator[Tile]:
     """The kept buffers in stage order, each with the pass that wrote it."""
     encode = encoding_of(result.scene.settings)
-    for number, one in enumerate(result.scene.method.passes):
-        kept = [name for name in one.values if name in result.buffers]
+    for number, this_pass in enumerate(result.scene.method.passes):
+        kept = [name for name in this_pass.values if name in result.buffers]
         for name in kept:
             buffer = result.buffers[name]
             accent = ACCENTS[number % len(ACCENTS)]
             leads = name == kept[0]
-            yield Tile(name, buffer, _covered(result, one, buffer), one.name, accent, leads, encode)
+            yield Tile(name, buffer, _covered(result, this_pass, buffer), this_pass.name, accent, leads, encode)
 
 
-def _covered(result: Result, one: Pass, buffer: np.ndarray) -> np.ndarray:
+def _covered(result: Result, this_pass: Pass, buffer: np.ndarray) -> np.ndarray:
     """Where a pass has drawn: its mesh, or its rectangle within the stencil; everywhere if that was not kept."""
-    drawn = one.draw.triangle or one.draw.stencil
+    drawn = this_pass.draw.triangle or this_pass.draw.stencil
     if drawn not in result.buffers:
         return np.ones(buffer.shape[:2], bool)
     limit = result.buffers[drawn]

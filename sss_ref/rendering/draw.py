@@ -13,7 +13,7 @@ from sss_ref.interpret import arrays
 from sss_ref.interpret.finite import require_finite
 from sss_ref.interpret.work import Fragments, Work
 from sss_ref.language.layout import CHANNELS, dtype_of, shape_of
-from sss_ref.language.pipeline import MeshDraw, Pass
+from sss_ref.language.pipeline import Pass
 from sss_ref.raster.primitives import Primitives, assemble
 from sss_ref.raster.rasterize import visibility
 from sss_ref.raster.viewport import FINEST, Viewport
@@ -58,7 +58,7 @@ def draw(scene: Scene, this_pass: Pass, buffers: Buffers, machine: Machine) -> S
 
     buffers: those of earlier passes by name. Raises MeshError where a UV layout is empty, or overlaps and must not.
     """
-    if not isinstance(this_pass.draw, MeshDraw):
+    if not this_pass.draw.vertex_stages:
         stencil = buffers[this_pass.draw.stencil] if this_pass.draw.stencil else None
         return Sketch(Fragments(*scene.size(this_pass), stencil=stencil))
     viewport = machine.viewport(scene, this_pass)

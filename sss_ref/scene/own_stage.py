@@ -45,9 +45,9 @@ def _check_outputs(method: Method, name: str, stage: Stage) -> None:
 
 def _check_reads(method: Method, stage: Stage, known: set[str]) -> None:
     there = known | {PIXEL}
-    for one in method.passes:
-        there |= {*one.draw.outputs, *one.draw.varyings}
-        for each in one.stages:
+    for this_pass in method.passes:
+        there |= {*this_pass.draw.outputs, *this_pass.draw.varyings}
+        for each in this_pass.stages:
             missing = sorted(set(each.reads.values()) - there)
             if each.python is stage.python and missing:
                 raise SceneError(

@@ -31,9 +31,9 @@ def buffers_until(method: Method, end: str) -> list[str]:
     Raises SceneError for any other name.
     """
     lasts = {name: name for name in method.outputs}
-    stages = [stage for one in method.passes for stage in one.stages]
+    stages = [stage for each in method.passes for stage in each.stages]
     lasts |= {stage.name: name for stage in stages for name in stage.writes.values() if name in method.outputs}
-    lasts |= {one.name: list(one.outputs)[-1] for one in method.passes}
+    lasts |= {each.name: list(each.outputs)[-1] for each in method.passes}
     if end not in lasts:
         raise SceneError(f"until: expected a pass, a stage or a buffer ({', '.join(lasts)}), got {end!r}")
     names = list(method.outputs)
