@@ -17,7 +17,7 @@ import numpy as np
 
 import sss_ref
 from sss_ref.interpret.arrays import CHUNK
-from sss_ref.interpret.intervals.choices import CHOICE, TEXEL
+from sss_ref.interpret.intervals.enclosing import CONDITION, WHICH_TEXEL
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.language.types import components
 from sss_ref.rendering.result import Result
@@ -90,7 +90,7 @@ def width_of(value: Any) -> np.ndarray:
 def row(buffer: Widths) -> str:
     """One line of the table."""
     value, width, alone, doubt = buffer
-    causes = (doubt & CHOICE > 0, doubt & TEXEL > 0, ~np.isfinite(width).all(axis=-1))
+    causes = (doubt & CONDITION > 0, doubt & WHICH_TEXEL > 0, ~np.isfinite(width).all(axis=-1))
     shares = " ".join(f"{cause.mean():9.2%}" for cause in causes)
     certain = doubt == 0
     if value.dtype != np.float32 or not certain.any():

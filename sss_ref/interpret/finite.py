@@ -28,11 +28,11 @@ def require_finite(work: Work, pool: Executor | None) -> None:
 def _largest(buffer: np.ndarray, pool: Executor | None) -> int:
     bits = buffer.reshape(-1).view(np.int32)
     parts = [bits[start : start + PART] for start in range(0, len(bits), PART)]
-    return max((pool.map if pool else map)(largest_magnitude, parts))
+    return int(max((pool.map if pool else map)(largest_magnitude, parts)))
 
 
 @compiled
-def largest_magnitude(bits):
+def largest_magnitude(bits: np.ndarray) -> np.int32:
     """The largest of float32 values given as int32 bit patterns (N,), signs cleared, as a bit pattern."""
     largest = np.int32(0)
     for k in range(len(bits)):

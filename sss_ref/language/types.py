@@ -177,7 +177,8 @@ class Texture(_Rows[T]):
     def fetch(self, at: ivec2) -> T:
         """The stored value at a texel inside the texture (GLSL texelFetch)."""
         value = self._at((at.y, at.x))
-        return value != 0 if self.data.dtype == np.uint8 else value
+        stored: T = value != 0 if self.data.dtype == np.uint8 else value
+        return stored
 
 
 class Array(_Rows[T]):
@@ -187,4 +188,5 @@ class Array(_Rows[T]):
     index_axes = 1
 
     def __getitem__(self, index: int) -> T:
-        return self._at(index)
+        element: T = self._at(index)
+        return element

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.interpret.intervals.choices import Texels
 from sss_ref.interpret.intervals.enclosing import Evaluated, Outcome
 from sss_ref.interpret.intervals.evaluate import run_lines
 from sss_ref.interpret.intervals.profile import Profile
+from sss_ref.interpret.intervals.value_sets import Texels
 from sss_ref.interpret.trace import Bounds, Step
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import Array, Texture, Vector, mat3, mat4

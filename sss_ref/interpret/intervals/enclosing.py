@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 
 from sss_ref.errors import StageError
-from sss_ref.interpret.intervals import choices
-from sss_ref.interpret.intervals.choices import CERTAIN, CHOICE, TEXEL, componentwise
+from sss_ref.interpret.intervals import value_sets
 from sss_ref.interpret.intervals.operations import COMPARISONS, LOGIC, Operations, slackened, truncated
+from sss_ref.interpret.intervals.value_sets import componentwise
 from sss_ref.language import tree
 from sss_ref.language.builtins import fract
 from sss_ref.language.sampling import fractional_part, whole_part
@@ -23,6 +23,12 @@ from sss_ref.numerics import interval
 from sss_ref.numerics.interval import Interval, each_end, negated, point
 
 FURTHER_CELLS = ((1, 0), (0, 1), (1, 1))  # right of, above, and diagonally from the first cell of a position
+
+# Why a value is a set of separate ones rather than one value with its error; bits that add up.
+NO_DOUBT = np.uint8(0)
+CONDITION = np.uint8(1)  # a condition could not be decided
+WHICH_TEXEL = np.uint8(2)  # nor which texel is meant
+
 Evaluated = tuple[int, int]  # which line of a body, counted as they are run, and the id of an expression in it
 
 
@@ -30,12 +36,12 @@ Evaluated = tuple[int, int]  # which line of a body, counted as they are run, an
 class Outcome:
     """What an expression may give, for each fragment.
 
-    value: an Interval or a vector of them. doubt: uint8, the sum of `choices.CHOICE` and `choices.TEXEL` where the
+    value: an Interval or a vector of them. doubt: uint8, the sum of `CONDITION` and `WHICH_TEXEL` where the
     value is one of several because of a condition or a texel that could not be decided; 0 elsewhere.
     """
 
     value: Any
-    doubt: Any = CERTAIN
+    doubt: Any = NO_DOUBT
 
     @property
     def unbounded(self) -> Any:
@@ -116,7 +122,7 @@ class _Walk:
         """What an expression may give."""
         match expression:
             case tree.Literal(value=value) | tree.Constant(value=value):
-                return Outcome(point(choices.computable(value)))
+                return Outcome(point(value_sets.computable(value)))
             case tree.Variable(name=name):
                 return self.names[name]
         inner = [self.outcome(child) for child in tree.children(expression)]
@@ -134,7 +140,7 @@ class _Walk:
             case tree.Element():
                 return self.fetch(values[0].data, values[0].data, [values[1]], doubt)
             case tree.Operation(operator=sign) if sign in COMPARISONS:
-                return _truth(COMPARISONS[sign](*values), np.where(doubt, doubt, CHOICE))
+                return _truth(COMPARISONS[sign](*values), np.where(doubt, doubt, CONDITION))
             case tree.Operation(operator="&" | "|" as sign):
                 return _truth(LOGIC[sign](*values), doubt)
             case tree.Operation(operator="*") if isinstance(values[0], mat3 | mat4):
@@ -164,9 +170,9 @@ class _Walk:
 
     def fetch(self, low: np.ndarray, high: np.ndarray, index: list[Interval], doubt: Any) -> Outcome:
         """An element of a texture or array, or the hull of all that the index may mean."""
-        value, several = choices.fetched(low, high, index)
+        value, several = value_sets.fetched(low, high, index)
         value = componentwise(self.operations.read, value)
-        return Outcome(value, doubt | np.where(several, TEXEL, CERTAIN) if np.any(several) else doubt)
+        return Outcome(value, doubt | np.where(several, WHICH_TEXEL, NO_DOUBT) if np.any(several) else doubt)
 
     # Positions between texels
 
@@ -199,8 +205,8 @@ class _Walk:
         cells = [b if step else a for a, b, step in zip(first, last, self.cell, strict=True)]
         self.crossed = tuple(b - a == 1 for a, b in zip(first, last, strict=True))
         too_many = [~(b - a <= 1) for a, b in zip(first, last, strict=True)]
-        whole = map(choices.anything_where, too_many, (point(truncated(cell)) for cell in cells))
-        inside = map(choices.anything_where, too_many, map(self.inside, reach, cells))
+        whole = map(value_sets.anything_where, too_many, (point(truncated(cell)) for cell in cells))
+        inside = map(value_sets.anything_where, too_many, map(self.inside, reach, cells))
         return list(whole), list(inside)
 
     def inside(self, reach: Interval, cell: Any) -> Interval:
@@ -236,14 +242,14 @@ def picked(outcome: Outcome, where: Any) -> Outcome:
     if np.ndim(where) == 0:
         return outcome
     return Outcome(
-        choices.picked(outcome.value, where), outcome.doubt[where] if np.ndim(outcome.doubt) else outcome.doubt
+        value_sets.picked(outcome.value, where), outcome.doubt[where] if np.ndim(outcome.doubt) else outcome.doubt
     )
 
 
 def _joined(a: Outcome, where: Any, b: Outcome) -> Outcome:
     """The hull of a with b, which holds only the fragments `where`; where the two lie apart, it is in doubt."""
-    value, apart = choices.joined(a.value, where, b.value)
-    there = b.doubt | np.where(apart if np.ndim(where) == 0 else apart[where], TEXEL, CERTAIN)
+    value, apart = value_sets.joined(a.value, where, b.value)
+    there = b.doubt | np.where(apart if np.ndim(where) == 0 else apart[where], WHICH_TEXEL, NO_DOUBT)
     if np.ndim(where) == 0:
         return Outcome(value, a.doubt | there)
     doubt = np.broadcast_to(a.doubt, np.shape(where)).copy()
@@ -257,18 +263,18 @@ def _selected(condition: Outcome, if_true: Outcome, if_false: Outcome) -> Outcom
     value = componentwise(lambda a, b: interval.chosen(truth, a, b), if_true.value, if_false.value)
     doubt = np.where(truth.low, if_true.doubt, if_false.doubt)
     if not np.any(truth.undecided):
-        return Outcome(value, doubt if np.any(doubt) else CERTAIN)
+        return Outcome(value, doubt if np.any(doubt) else NO_DOUBT)
     pairs = zip(components(if_true.value), components(if_false.value), strict=True)
     differ = reduce(np.logical_or, [(a.low != b.low) | (a.high != b.high) for a, b in pairs])
-    cause = np.where(condition.doubt, condition.doubt, CHOICE)
-    either = if_true.doubt | if_false.doubt | np.where(differ, cause, CERTAIN)
+    cause = np.where(condition.doubt, condition.doubt, CONDITION)
+    either = if_true.doubt | if_false.doubt | np.where(differ, cause, NO_DOUBT)
     return Outcome(value, np.where(truth.undecided, either, doubt))
 
 
 def _truth(truth: Interval, doubt: Any) -> Outcome:
     """A truth value, in doubt where it is undecided."""
-    return Outcome(truth, np.where(truth.undecided, doubt, CERTAIN) if np.any(truth.undecided) else CERTAIN)
+    return Outcome(truth, np.where(truth.undecided, doubt, NO_DOUBT) if np.any(truth.undecided) else NO_DOUBT)
 
 
 def _doubts(outcomes: list[Outcome]) -> Any:
-    return reduce(np.bitwise_or, [outcome.doubt for outcome in outcomes], CERTAIN)
+    return reduce(np.bitwise_or, [outcome.doubt for outcome in outcomes], NO_DOUBT)

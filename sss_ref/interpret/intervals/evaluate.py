@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.interpret.intervals.choices import Texels, componentwise, computable, picked
 from sss_ref.interpret.intervals.enclosing import Evaluated, Outcome, enclosed, enclosed_lines
 from sss_ref.interpret.intervals.operations import Operations
 from sss_ref.interpret.intervals.profile import Profile
+from sss_ref.interpret.intervals.value_sets import Texels, componentwise, computable, picked
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import Texture, Vector, components
 from sss_ref.numerics.interval import Interval, each_end, point
@@ -50,7 +50,7 @@ def _chunk(stage: Stage, names: Mapping[str, Any], at: slice, operations: Operat
     """The outcomes of some fragments."""
     with np.errstate(all="ignore"):
         results = enclosed(stage.body, _arguments(names, at, operations), operations)
-    return {name: _stored(outcome, at.stop - at.start) for name, outcome in results.items()}
+    return {name: _expanded(outcome, at.stop - at.start) for name, outcome in results.items()}
 
 
 def _arguments(names: Mapping[str, Any], at: slice, operations: Operations) -> dict[str, Outcome]:
@@ -80,7 +80,7 @@ def _computable(value: Any, operations: Operations) -> Any:
     return operations.read(each_end(computable, value)) if isinstance(value, Interval) else value
 
 
-def _stored(outcome: Outcome, count: int) -> Outcome:
+def _expanded(outcome: Outcome, count: int) -> Outcome:
     """An outcome with an element for every fragment."""
     return Outcome(componentwise(lambda a: _full(a, count), outcome.value), np.broadcast_to(outcome.doubt, count))
 
@@ -94,11 +94,11 @@ def _full(a: Interval, count: int) -> Interval:
 
 
 def _concatenated(parts: Sequence[Outcome]) -> Outcome:
-    value = componentwise(lambda *chunks: _one(chunks), *(part.value for part in parts))
+    value = componentwise(lambda *chunks: _in_a_row(chunks), *(part.value for part in parts))
     return Outcome(value, np.concatenate([part.doubt for part in parts]))
 
 
-def _one(chunks: Sequence[Interval]) -> Interval:
+def _in_a_row(chunks: Sequence[Interval]) -> Interval:
     low = np.concatenate([chunk.low for chunk in chunks])
     same = all(chunk.is_point for chunk in chunks)
     return Interval(low, low if same else np.concatenate([chunk.high for chunk in chunks]))

@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.interpret.intervals.choices import componentwise
 from sss_ref.interpret.intervals.profile import Profile
+from sss_ref.interpret.intervals.value_sets import componentwise
 from sss_ref.language.builtins import dot, mix, normalize
 from sss_ref.language.sampling import bilinear_blend, nearest_texel
 from sss_ref.language.types import Vector, ivec2, mat3, mat4
@@ -124,4 +124,5 @@ def slackened(a: Interval, slack: float) -> Interval:
 
 def truncated(x: Any) -> np.ndarray:
     """GLSL int(x), bounded by what 32 bits hold."""
-    return np.clip(np.trunc(x), INT32.min, INT32.max).astype(np.int64)
+    whole: np.ndarray = np.clip(np.trunc(x), INT32.min, INT32.max)
+    return whole.astype(np.int64)

@@ -105,6 +105,12 @@ def suffixes(kind: Any) -> list[str]:
     return [f"_{letter}" for letter in "xyzw"[: kind.count]] if vector else [""]
 
 
+def channels(kind: Any) -> list[str]:
+    """What follows the index of a value in an ndarray, for each component; nothing for a scalar."""
+    count = len(suffixes(kind))
+    return [""] if count == 1 else [f", {channel}" for channel in range(count)]
+
+
 class Lowering:
     """Lowers bodies into `lines`; a fresh one for each body, which sees its own names only."""
 
@@ -234,9 +240,7 @@ class Lowering:
         (kind,) = get_args(memory.kind)
         if kind is bool:
             return [self.lines.join(f"({memory.name}[{index}] != 0)", *parts)]
-        ends = suffixes(kind)
-        channels = [""] if len(ends) == 1 else [f", {channel}" for channel in range(len(ends))]
-        return [self.lines.join(f"{memory.name}[{index}{channel}]", *parts) for channel in channels]
+        return [self.lines.join(f"{memory.name}[{index}{channel}]", *parts) for channel in channels(kind)]
 
     def call(self, expression: tree.Call) -> list[Scalar]:
         """A primitive by its template; a function of the language written out in place."""

@@ -4,8 +4,7 @@ from collections.abc import Collection, Iterable, Mapping
 from typing import Any, get_origin
 
 from sss_ref.interpret.kernel.arguments import OUT, Arguments
-from sss_ref.interpret.kernel.lower import INDENT, Lines, Lowering, Memory, Scalar, Value, suffixes
-from sss_ref.language.layout import CHANNELS
+from sss_ref.interpret.kernel.lower import INDENT, Lines, Lowering, Memory, Scalar, Value, channels, suffixes
 from sss_ref.language.pipeline import CLIP_POSITION, PIXEL, MeshDraw, Pass
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import Texture
@@ -130,17 +129,12 @@ class _FragmentLoop:
             test = [INDENT * 3 + "if stencil[row, column] == 0:"]
         else:
             return []
-        pairs = [(name, channel) for name in self.outputs for channel in self.channels(name)]
+        pairs = [(name, channel) for name in self.outputs for channel in channels(self.this_pass.values[name])]
         clear = [
             f"{INDENT * 4}{OUT}{name}[row, column{channel}] = background[{k}]"
             for k, (name, channel) in enumerate(pairs)
         ]
         return [*test, *clear, INDENT * 4 + "continue"]
-
-    def channels(self, name: str) -> list[str]:
-        """The index after [row, column of each channel of a buffer."""
-        count = CHANNELS[self.this_pass.values[name]]
-        return [""] if count == 1 else [f", {channel}" for channel in range(count)]
 
     def interpolation(self, draw: MeshDraw) -> None:
         """The varyings of this fragment."""
@@ -162,7 +156,7 @@ class _FragmentLoop:
             ends = suffixes(stage.outputs[own])
             name = stage.writes[own]
             pairs = zip(scalars, ends, strict=True)
-            self.values[name] = [self.lines.bind(f"{name}{end}", replace_uniform(value)) for value, end in pairs]
+            self.values[name] = [self.lines.bind(f"{name}{end}", per_fragment(value)) for value, end in pairs]
 
     def read(self, name: str, kind: Any) -> Value:
         """What a stage reads under a name, as in the array interpreter."""
@@ -174,11 +168,10 @@ class _FragmentLoop:
 
     def own_pixel(self, name: str, kind: Any) -> list[Scalar]:
         """A buffer's value at this very pixel."""
-        channels = [""] if CHANNELS[kind] == 1 else [f", {channel}" for channel in range(CHANNELS[kind])]
         test = " != 0" if kind is bool else ""
         return [
             self.lines.bind(f"{name}_here{end}", Scalar(f"{name}[row, column{channel}]{test}", False, False))
-            for channel, end in zip(channels, suffixes(kind), strict=True)
+            for channel, end in zip(channels(kind), suffixes(kind), strict=True)
         ]
 
     def stores(self) -> None:
@@ -186,10 +179,10 @@ class _FragmentLoop:
         for name in self.outputs:
             value = self.values[name]
             assert isinstance(value, list)
-            for channel, scalar in zip(self.channels(name), value, strict=True):
+            for channel, scalar in zip(channels(self.this_pass.values[name]), value, strict=True):
                 self.lines.add(f"{OUT}{name}[row, column{channel}] = {scalar.text}")
 
 
-def replace_uniform(value: Scalar) -> Scalar:
+def per_fragment(value: Scalar) -> Scalar:
     """An output is a value of the fragment even where it depends on uniforms alone."""
     return Scalar(value.text, False, value.atomic)

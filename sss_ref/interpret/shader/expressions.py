@@ -10,7 +10,7 @@ from sss_ref.language import tree
 from sss_ref.language.intrinsics import Primitive
 from sss_ref.language.types import Vector, mat3, mat4
 
-CHOICE, OR, AND, EQUALITY, ORDER, SUM, PRODUCT, SIGN, ATOM = range(9)  # how tightly an operator binds
+SELECTION, OR, AND, EQUALITY, ORDER, SUM, PRODUCT, SIGN, ATOM = range(9)  # how tightly an operator binds
 BINDING = {
     "|": OR,
     "&": AND,
@@ -39,7 +39,7 @@ class Definitions(Protocol):
     def constant(self, constant: tree.Constant) -> str:
         """The name of a constant of a stage's module."""
 
-    def choice(self, name: str, kind: Any) -> str:
+    def extreme(self, name: str, kind: Any) -> str:
         """The name of min or max for two values of a type."""
 
     def texture_size(self, texture: Any) -> str:
@@ -58,7 +58,7 @@ class Expressions:
     def __init__(self, definitions: Definitions, lengths: Mapping[str, int]) -> None:
         self.definitions, self.dialect, self.lengths = definitions, definitions.dialect, lengths
 
-    def text(self, expression: tree.Expression, least: int = CHOICE) -> str:
+    def text(self, expression: tree.Expression, least: int = SELECTION) -> str:
         """The expression, in parentheses where it binds less than `least`."""
         written, binding = self.written(expression)
         return written if binding >= least else f"({written})"
@@ -113,7 +113,7 @@ class Expressions:
             return f"{self.definitions.function(expression, self.lengths)}({self.listed(arguments)})", ATOM
         if name == "select":
             condition, if_true, if_false = arguments
-            return f"{self.text(condition, OR)} ? {self.text(if_true, OR)} : {self.text(if_false)}", CHOICE
+            return f"{self.text(condition, OR)} ? {self.text(if_true, OR)} : {self.text(if_false)}", SELECTION
         if name == "texel":
             (kind,) = get_args(arguments[0].type)
             return self.dialect.fetched(kind, *map(self.text, arguments)), LOADED.get(kind, ATOM)
@@ -122,7 +122,7 @@ class Expressions:
             return self.dialect.calls[name].format(*texts), ATOM
         if name == "size":
             return f"{self.definitions.texture_size(arguments[0].type)}({texts[0]})", ATOM
-        return f"{self.definitions.choice(name, expression.type)}({', '.join(texts)})", ATOM
+        return f"{self.definitions.extreme(name, expression.type)}({', '.join(texts)})", ATOM
 
     def widened(self, argument: tree.Expression, call: tree.Call) -> str:
         """An argument of a primitive; a scalar that stands beside a vector becomes one."""

@@ -14,7 +14,7 @@ from sss_ref.language.stage import Function, Stage
 from sss_ref.language.types import Array, Texture, Vector, ivec2, mat3, vec3, vec4
 from sss_ref.language.typing_rules import element_type, type_name
 
-CHOICES = {"min": "y < x ? y : x", "max": "x < y ? y : x"}  # rule A1
+EXTREMES = {"min": "y < x ? y : x", "max": "x < y ? y : x"}  # rule A1
 
 
 def stage_source(stage: Stage, lengths: Mapping[str, int], dialect: Dialect = GLSL) -> str:
@@ -54,15 +54,15 @@ class Library:
         )
         return constant.name
 
-    def choice(self, name: str, kind: Any) -> str:
+    def extreme(self, name: str, kind: Any) -> str:
         """The name of min or max for two values of a type; that of vectors works on their components."""
-        result, written = CHOICES[name], self.dialect.function(name)
+        result, written = EXTREMES[name], self.dialect.function(name)
         if isinstance(kind, type) and issubclass(kind, Vector):
-            self.choice(name, element_type(kind))
+            self.extreme(name, element_type(kind))
             each = ", ".join(f"{written}(x.{letter}, y.{letter})" for letter in "xyzw"[: kind.count])
             result = f"{self.dialect.types[kind]}({each})"
         head = self._signature(kind, written, {"x": kind, "y": kind})
-        self._define((name, kind), f"{CHOICES[name]} (rule A1)", head, [f"return {result};"])
+        self._define((name, kind), f"{EXTREMES[name]} (rule A1)", head, [f"return {result};"])
         return written
 
     def texture_size(self, texture: Any) -> str:

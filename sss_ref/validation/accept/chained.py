@@ -10,8 +10,8 @@ from typing import Any, get_origin
 import numpy as np
 
 from sss_ref.interpret.arrays import draw_values, in_chunks, stage_input
-from sss_ref.interpret.intervals.choices import Texels
 from sss_ref.interpret.intervals.profile import Profile
+from sss_ref.interpret.intervals.value_sets import Texels
 from sss_ref.interpret.work import Work
 from sss_ref.language import Texture
 from sss_ref.language.layout import CHANNELS, dtype_of, shape_of

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from sss_ref.interpret.arrays import draw_values, in_chunks, stage_input
-from sss_ref.interpret.intervals.choices import Texels, componentwise
 from sss_ref.interpret.intervals.profile import Profile
+from sss_ref.interpret.intervals.value_sets import Texels, componentwise
 from sss_ref.interpret.work import Fragments, buffer_value
 from sss_ref.language.pipeline import Pass
 from sss_ref.language.stage import Stage

@@ -15,9 +15,10 @@ import sss_ref
 from sss_ref.errors import StageError
 from sss_ref.interpret import arrays
 from sss_ref.interpret.intervals import evaluate as interval
-from sss_ref.interpret.intervals.choices import CHOICE, TEXEL, Texels
+from sss_ref.interpret.intervals.enclosing import CONDITION, WHICH_TEXEL
 from sss_ref.interpret.intervals.evaluate import run_intervals
 from sss_ref.interpret.intervals.profile import PROFILES
+from sss_ref.interpret.intervals.value_sets import Texels
 from sss_ref.interpret.work import buffer_value, uniform_value
 from sss_ref.language import (
     Array,
@@ -226,7 +227,7 @@ def test_a_nearest_sample_near_an_edge_takes_both_texels():
     at = row(0.375, 0.5, 0.5 + 2.0**-11, 0.5 - 2.0**-9, 0.9)  # of four texels: 1.5, 2, 2 + 2^-9, 2 - 2^-7, 3.6
     got = run_intervals(nearest_value, {"picture": Texture(PICTURE), "uv": vec2(at, F(0.5))}, VULKAN)["value"]
     assert ends(got) == [(5, 5), (5, 6), (5, 6), (5, 5), (7, 7)]
-    assert got.doubt.tolist() == [0, TEXEL, TEXEL, 0, 0]
+    assert got.doubt.tolist() == [0, WHICH_TEXEL, WHICH_TEXEL, 0, 0]
 
 
 def test_a_nearest_sample_of_more_than_three_texels_may_be_anything():
@@ -247,7 +248,7 @@ def test_an_undecided_condition_takes_both_sides():
     inputs = {"x": between([0.6, 0.4, 0.1], [0.7, 0.6, 0.2]), "table": Array(row(1, 7)), "entry": 0}
     got = run_intervals(step, inputs, VULKAN)["value"]
     assert ends(got) == [(1, 1), (1, 7), (7, 7)]
-    assert got.doubt.tolist() == [0, CHOICE, 0]
+    assert got.doubt.tolist() == [0, CONDITION, 0]
     same = run_intervals(step, {**inputs, "entry": 1}, VULKAN)["value"]
     assert not same.doubt.any()
 
@@ -256,12 +257,12 @@ def test_a_truth_value_is_in_doubt_where_it_is_undecided():
     inputs = {"x": between([0.6, 0.4, 0.4], [0.7, 0.6, 0.6]), "y": row(1, 1, 0)}
     got = run_intervals(both_above, inputs, VULKAN)["both"]
     assert ends(got) == [(True, True), (False, True), (False, False)]
-    assert got.doubt.tolist() == [0, CHOICE, 0]
+    assert got.doubt.tolist() == [0, CONDITION, 0]
 
 
 def test_an_undecided_input_is_no_doubt_of_the_stage_until_it_chooses():
     flag = Interval(np.array([False]), np.array([True]))
-    for function, doubt in [(passed_on, 0), (chosen_by, CHOICE)]:
+    for function, doubt in [(passed_on, 0), (chosen_by, CONDITION)]:
         (got,) = run_intervals(function, {"flag": flag}, VULKAN).values()
         assert got.doubt.tolist() == [doubt]
 
@@ -387,7 +388,7 @@ def test_stages_on_the_oracles_buffers_give_narrow_intervals_around_the_oracles_
         for name, outcome in outcomes.items():
             assert not outside(outcome, components(results[name])).any()
             assert not outcome.unbounded.any()
-            assert (outcome.doubt & CHOICE > 0).mean() <= 0.01 and (outcome.doubt > 0).mean() <= 0.025
+            assert (outcome.doubt & CONDITION > 0).mean() <= 0.01 and (outcome.doubt > 0).mean() <= 0.025
             if components(outcome.value)[0].low.dtype == F:
                 limit = WIDER.get(name.removeprefix("texel_"), WIDEST)
                 assert np.percentile(widths(outcome, results[name]), 95) <= limit, name

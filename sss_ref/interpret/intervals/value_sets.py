@@ -17,11 +17,6 @@ from sss_ref.numerics.interval import INFINITY, Interval, each_end, hull
 CANDIDATES = 3  # texels side by side on an axis that a fetch may choose among; beyond, it may give anything
 INT32 = np.iinfo(np.int32)
 
-# Why a value is a set of separate ones rather than one value with its error; bits that add up.
-CHOICE = np.uint8(1)  # a condition could not be decided
-TEXEL = np.uint8(2)  # nor which texel is meant
-CERTAIN = np.uint8(0)
-
 
 @dataclass(frozen=True, eq=False)
 class Texels:
