@@ -18,7 +18,7 @@ from sss_ref.passes.shadow_map import back_point
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text()
-INSTALLING = ("python -m pip",)  # .ci/run does it
+NOT_HERE = ("python -m pip", "python -m pytest", "jupyter lab")  # .ci/run installs and tests
 LARGEST_PICTURE = 250_000  # bytes
 
 sys.path.insert(0, str(ROOT / "docs" / "generate"))
@@ -45,11 +45,25 @@ def draws_glsl():
 
 def run(line, failing):
     """One line of a shell block; `failing`: whether it is shown to find a fault."""
-    command = line.partition("#")[0].strip()
+    for command in line.partition("#")[0].strip().split(" && "):
+        run_one(command, failing)
+
+
+def run_one(command, failing):
     if command.startswith("sss-ref ") and ("--run-glsl" not in command or draws_glsl()):
         assert main(shlex.split(command)[1:]) == (1 if failing and " validate " in command else 0), command
-    elif not command.startswith(("sss-ref ", *INSTALLING)):
+    elif not command.startswith(("sss-ref ", *NOT_HERE)):
         subprocess.run(command, shell=True, check=True)
+
+
+def test_the_first_block_is_all_it_takes_on_a_fresh_machine_and_ci_runs_just_that():
+    language, source, _ = next(blocks())
+    render, test = source.splitlines()
+    assert language == "sh"
+    assert re.fullmatch(r"python -m pip install \. && sss-ref render -o \w+", render)
+    assert re.fullmatch(r'python -m pip install "\.\[[a-z,]+\]" && python -m pytest( .*)?', test)
+    listed = subprocess.run([ROOT / ".ci" / "run", "--list"], capture_output=True, text=True, check=True).stdout
+    assert listed == source
 
 
 def told(text):
