@@ -8,6 +8,12 @@ import pytest
 ASSETS = Path(__file__).parents[2] / "shared" / "assets"
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
+    """Run all tests on all processors (None: as many workers as xdist finds), but chosen ones in this process."""
+    return None if config.args == config.getini("testpaths") else 0
+
+
 @pytest.fixture
 def asset() -> Callable[[str], Path]:
     """A file among the developers' meshes, which lie beside the checkout; without it the test is skipped."""
