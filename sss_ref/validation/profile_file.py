@@ -1,7 +1,6 @@
 """Profiles by name, or from a TOML file: what a processor has other than the profile it is based on."""
 
 import os
-import tomllib
 from collections.abc import Mapping
 from dataclasses import fields, replace
 from pathlib import Path
@@ -10,7 +9,8 @@ from typing import Any, Literal, get_type_hints
 from pydantic import BaseModel, ValidationError, create_model
 
 from sss_ref.errors import ProfileError
-from sss_ref.errors.wording import described, told
+from sss_ref.errors.text_file import toml_of
+from sss_ref.errors.wording import described
 from sss_ref.interpret.intervals.profile import PROFILES, Profile
 from sss_ref.numerics.bounded import Bounded
 from sss_ref.scene_file.quantities import Count, NonNegative, Table
@@ -46,13 +46,7 @@ def profile_of(name: str | os.PathLike[str]) -> Profile:
 
 
 def _parsed(name: str) -> dict[str, Any]:
-    try:
-        return tomllib.loads(Path(name).read_text(encoding="utf-8"))
-    except OSError as error:
-        expected = f"a profile file or a profile ({', '.join(PROFILES)})"
-        raise ProfileError(told(name, expected, error.strerror or "none", "check the name")) from None
-    except (ValueError, RecursionError) as error:  # not UTF-8, not TOML, or nested without end
-        raise ProfileError(told(name, "valid TOML", str(error), "correct that place")) from None
+    return toml_of(Path(name), f"a profile file or a profile ({', '.join(PROFILES)})", ProfileError)
 
 
 def _validated(data: Mapping[str, Any], source: str) -> Any:

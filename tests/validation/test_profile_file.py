@@ -54,7 +54,7 @@ def test_bounds_on_top_of_ieee_are_vulkans_where_the_file_is_silent(read):
         ("[bounds]\ndivide_ulp = nan", "bounds.divide_ulp: expected a finite number"),
         ("[bounds]\ndivide_ulp = -1.0", "bounds.divide_ulp: expected a number >= 0, got -1.0; choose another value"),
         ("[bounds]\nexp_ulps = 3", "bounds.exp_ulps: expected a known key, got this one; did you mean exp_ulp?"),
-        ("weight_bits = ", "expected valid TOML"),
+        ("weight_bits = ", "expected valid TOML, got none at end of document; correct that place"),
     ],
 )
 def test_what_is_wrong_is_told(read, tmp_path, text, told):

@@ -1,0 +1,50 @@
+"""Text files that users hand over: regular ones of a bounded size, and TOML in them; what is wrong in one line."""
+
+import re
+import tomllib
+from pathlib import Path
+from stat import S_ISREG
+from typing import Any
+
+from sss_ref.errors import SssRefError
+from sss_ref.errors.wording import told
+
+BYTE_LIMIT = 2**20  # of any text; none of ours comes near
+PLACE = re.compile(r"\((at line \d+, column \d+|at end of document)\)")
+
+
+def text_of(path: Path, expected: str, error_class: type[SssRefError]) -> str:
+    """The text of a file. Raises `error_class` for what is no regular file, too large, or not UTF-8.
+
+    expected: what the file should be, as the message calls it. Devices and pipes are refused before they are opened.
+    """
+    try:
+        found = path.stat()
+        if not S_ISREG(found.st_mode):
+            raise error_class(told(str(path), expected, "no regular file", "copy its content to one"))
+        if found.st_size > BYTE_LIMIT:
+            came = f"{found.st_size} bytes"
+            raise error_class(told(str(path), f"{expected}, of at most {BYTE_LIMIT} bytes", came, "check the path"))
+        return path.read_bytes().decode("utf-8")
+    except OSError as error:
+        raise error_class(told(str(path), expected, error.strerror or "none", "check the path")) from None
+    except UnicodeDecodeError as error:
+        came = f"a byte that is no UTF-8 at byte {error.start}"
+        raise error_class(told(str(path), f"{expected} in UTF-8", came, "save it as UTF-8")) from None
+    except ValueError:  # a path with a zero byte
+        raise error_class(told(str(path), expected, "no name of a file", "check the path")) from None
+
+
+def toml_of(path: Path, expected: str, error_class: type[SssRefError]) -> dict[str, Any]:
+    """The tables of a TOML file, its keys unchecked. Raises `error_class` as `text_of` does, and for no TOML."""
+    text = text_of(path, expected, error_class)
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        place = PLACE.search(str(error))
+        came = f"none {place[1]}" if place else "none"
+        raise error_class(told(str(path), "valid TOML", came, "correct that place")) from None
+    except ValueError:  # a date or a number that Python cannot hold
+        raise error_class(told(str(path), "valid TOML", "a date or number out of range", "correct it")) from None
+    except RecursionError:
+        raise error_class(told(str(path), "valid TOML", "brackets nested without end", "nest less")) from None
