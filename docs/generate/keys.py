@@ -33,7 +33,8 @@ WORDS = {  # how a reader calls the type of a value
     mapping.Part: "text or whole number",
     mapping.ChannelNames: "text of single letters, or an array of names",
     mapping.Shape: "`[height, width]` or `[height, width, channels]`",
-    mapping.Factor: "number, not 0",
+    mapping.Factor: "number, not 0, or one for each channel",
+    mapping.Summand: "number, or one for each channel",
 }
 
 

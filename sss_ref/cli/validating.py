@@ -101,7 +101,7 @@ def _dumped(scene: "Scene", dump: Path | None, origin: Literal["top", "bottom"] 
     encodings = {name: one.encoding for name, one in found.buffers.items()}
     return Drawing(
         {name: one.data for name, one in found.buffers.items()},
-        {name: encoding.storage for name, encoding in encodings.items()},
+        {name: one.stored for name, one in found.buffers.items()},
         {name: encoding.rounded_from for name, encoding in encodings.items() if encoding.rounded_from},
         found.device,
     )

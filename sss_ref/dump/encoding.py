@@ -6,20 +6,39 @@ from typing import Literal
 
 import numpy as np
 
+from sss_ref.dump.loss import Loss
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import told
 from sss_ref.scene_file.color_texture import srgb_decoded
 
-Storage = Literal["float32", "float16", "unorm8", "unorm16", "srgb8", "uint8", "int32", "uint32"]
-INTEGERS = ("uint8", "int32", "uint32")
-LARGEST_CODE = {"unorm8": 255, "unorm16": 65535}
+Storage = Literal[
+    "float32",
+    "float16",
+    "unorm8",
+    "unorm16",
+    "snorm8",
+    "snorm16",
+    "srgb8",
+    "uint8",
+    "uint16",
+    "uint32",
+    "int8",
+    "int16",
+    "int32",
+]
+INTEGERS = ("uint8", "uint16", "uint32", "int8", "int16", "int32")
+LARGEST_CODE = {"unorm8": 255, "unorm16": 65535, "snorm8": 127, "snorm16": 32767}
 
-BYTES: tuple[Storage, ...] = ("unorm8", "srgb8", "uint8")
-WORDS: tuple[Storage, ...] = ("int32", "uint32")
+FAMILIES: tuple[tuple[Storage, ...], ...] = (
+    ("unorm8", "srgb8", "uint8"),
+    ("unorm16", "uint16"),
+    ("snorm8", "int8"),
+    ("snorm16", "int16"),
+    ("uint32", "int32"),
+)
 READ_AS: dict[str, tuple[str, ...]] = {
-    "float32": ("float32", "float16", "unorm8", "unorm16"),
-    **dict.fromkeys(BYTES, BYTES),
-    **dict.fromkeys(WORDS, WORDS),
+    "float32": ("float32", "float16", *LARGEST_CODE),
+    **{storage: family for family in FAMILIES for storage in family},
 }
 """What a file's own storage may be taken for if the mapping file says so; any other only for itself."""
 
@@ -28,18 +47,24 @@ READ_AS: dict[str, tuple[str, ...]] = {
 class Encoding:
     """How a buffer was stored, and what was done to get it back: value = stored * scale + offset.
 
-    storage: of the texture. "unormN": n/(2^N - 1). "srgb8": IEC 61966-2-1, alpha linear. "uint32": 4294967295 is -1.
-        Of packed formats the name tells the bits of red: "float11" (R11G11B10), "unorm10" (RGB10A2), "unorm24" (D24).
+    storage: of the texture. "unormN": n/(2^N - 1); "snormN": n/(2^(N-1) - 1), and not below -1. "srgb8": IEC 61966-2-1,
+        alpha linear. "uint32": 4294967295 is -1, as are 65535 of "uint16" and 255 of "uint8" among triangle numbers.
+        Of packed formats the name tells the bits of red: "float11" (R11G11B10), "unorm10" (RGB10A2), "unorm24" (D24),
+        "float9" (R9G9B9E5); "float24" is what the compression PXR24 leaves of float32.
+    scale, offset: one number, or one for each channel.
     rounded_from: the storage of the texture where the file has fewer bits than it; else None.
-    space: "world" or "view". normals: "xyz", "n*.5+.5" or "octahedral"; see `vectors`.
+    space: "world" or "view". normals: "xyz", "n*.5+.5" or "octahedral"; see `vectors`. depth: see `depths`.
+    loss: how far a value may be off where it is not that of the storage alone; else None.
     """
 
     storage: str
-    scale: float = 1.0
-    offset: float = 0.0
+    scale: float | tuple[float, ...] = 1.0
+    offset: float | tuple[float, ...] = 0.0
     rounded_from: str | None = None
     space: str = "world"
     normals: str = "xyz"
+    depth: str = "window"
+    loss: Loss | None = None
 
 
 def storage_of(native: str, wanted: str | None, where: str) -> str:
@@ -62,18 +87,20 @@ def decoded(data: np.ndarray, channels: Sequence[str], storage: str, where: str)
         return _checked(data, storage, where)
     if storage == "float16":
         return data.astype(np.float32)
+    if data.dtype.kind == "i":
+        return np.maximum(data.astype(np.float32) / np.float32(LARGEST_CODE[storage]), np.float32(-1))
     linear = data.astype(np.float32) / np.float32(LARGEST_CODE.get(storage, 255))
     if storage == "srgb8":
         return np.where([name == "A" for name in channels], linear, srgb_decoded()[data])
     return linear
 
 
-def scaled(values: np.ndarray, scale: float, offset: float) -> np.ndarray:
+def scaled(values: np.ndarray, scale: float | Sequence[float], offset: float | Sequence[float]) -> np.ndarray:
     """values * scale + offset in float64, of floats rounded once to float32; the values themselves for 1 and 0."""
     if (scale, offset) == (1.0, 0.0):
         return values
     with np.errstate(over="ignore", invalid="ignore"):
-        result = values.astype(np.float64) * scale + offset
+        result = values.astype(np.float64) * np.asarray(scale) + np.asarray(offset)
         return result.astype(np.float32) if values.dtype.kind == "f" else result
 
 
@@ -96,4 +123,5 @@ def _held(data: np.ndarray, storage: str) -> np.ndarray:
     if storage not in LARGEST_CODE:
         return data
     top = np.float32(LARGEST_CODE[storage])
-    return np.rint(np.clip(data, 0, 1).astype(np.float64) * top).astype(np.float32) / top
+    low = -1 if storage.startswith("s") else 0
+    return np.rint(np.clip(data, low, 1).astype(np.float64) * top).astype(np.float32) / top

@@ -7,21 +7,27 @@ channels = ["normal.x", "normal.y", "normal.z"]
 space = "view"
 """
 
-import tomllib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo, field_validator
+from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo, WrapValidator, field_validator
 
+from sss_ref.dump.depths import DepthKind
 from sss_ref.dump.encoding import Encoding, Storage
 from sss_ref.dump.files import RAW, SUFFIXES
 from sss_ref.errors import DumpError
-from sss_ref.errors.wording import described, told, unmet
+from sss_ref.errors.text_file import toml_of
+from sss_ref.errors.wording import described, unmet
 from sss_ref.scene_file.quantities import Number, Size, Table, requiring
 
-BYTE_LIMIT = 2**20  # of a mapping file
+EXPECTED = "a folder of buffers or a mapping file"
 NEEDS_MAPPING = "[height, width] or [height, width, channels]"
+
+
+def _each(value: Any, check: Callable[[Any], Any]) -> Any:
+    """One number, or one for each channel."""
+    return tuple(check(each) for each in value) if isinstance(value, list | tuple) and value else check(value)
 
 
 def _single_letters(value: Any) -> Any:
@@ -35,7 +41,9 @@ ChannelNames = Annotated[tuple[str, ...], Field(strict=False), BeforeValidator(_
 Shape = Annotated[
     tuple[Size, ...], Field(strict=False), requiring(lambda shape: len(shape) in (2, 3), NEEDS_MAPPING, "give these")
 ]
-Factor = Annotated[Number, requiring(bool, "a number that is not zero", "give the factor that undoes the storage")]
+NotZero = Annotated[Number, requiring(bool, "a number that is not zero", "give the factor that undoes the storage")]
+Factor = Annotated[NotZero, WrapValidator(_each)]
+Summand = Annotated[Number, WrapValidator(_each)]
 
 
 class BufferTable(Table):
@@ -44,27 +52,35 @@ class BufferTable(Table):
     file: str
     """A file of any known format, relative to the mapping file."""
     part: Part | None = None
-    """Of EXR the part's name, of TIFF the page's number. Without it: the only part, or the one named as the buffer."""
+    """Of EXR a part, or a layer by what its channels' names begin with ("ViewLayer.Position" of ViewLayer.Position.X);
+    of TIFF the page's number. Without it: the layer or the part named as the buffer, or the only part."""
     channels: ChannelNames | None = None
-    """The channels that are the buffer's, in its order: "RGB", "BGR", ["normal.x", "normal.y", "normal.z"]."""
+    """The channels that are the buffer's, in its order: "RGB", "BGR", ["normal.x", "normal.y", "normal.z"]. In files
+    that do not name them, all but EXR, the letters of "XYZW", "STPQ" and "UV" are places, as those of "RGBA" are."""
     shape: Shape | None = None
     """Of a raw file: [height, width] or [height, width, channels]."""
-    dtype: Literal["float32", "float16", "uint8", "uint16", "int32", "uint32"] | None = None
+    dtype: Literal["float32", "float16", "uint8", "uint16", "uint32", "int8", "int16", "int32"] | None = None
     """Of a raw file: the type of an element, little-endian."""
     origin: Origin | None = None
     """Which row the file begins with. Without it that of the whole mapping; else bottom for NPY, top for pictures."""
     encoding: Storage | None = None
     """What the numbers stand for, where the file leaves it open. See `Encoding`."""
     scale: Factor = 1.0
-    """value = stored * scale + offset."""
-    offset: Number = 0.0
+    """value = stored * scale + offset: a number, or one for each channel; [1, -1] with offset [0, 1] is (u, 1 - v)."""
+    offset: Summand = 0.0
     """See scale."""
+    background: Number | None = None
+    """What the file holds, in all channels and before scale and offset, where nothing is drawn. It may be a value as
+    well, as 0 is the first triangle: it counts where the dump's coverage is 0, or the scene's if the dump has none."""
     rounded_from: Storage | None = None
     """The storage of the texture, if the file has fewer bits than it: what read the texture had all of them."""
     space: Literal["world", "view"] = "world"
     """The space of a position or normal."""
     normals: Literal["xyz", "n*.5+.5", "octahedral"] = "xyz"
     """How a normal is stored: as it is, moved to 0..1, or as an octahedral map with components from -1 to 1."""
+    depth: DepthKind = "window"
+    """What a depth is: the window's, or a distance along the view axis, along the pixel's ray from the eye, or along
+    that ray from the near plane. What lies beyond the far plane is nothing."""
 
     @field_validator("file")
     @classmethod
@@ -84,9 +100,14 @@ class BufferTable(Table):
         return value
 
     @property
+    def is_plain(self) -> bool:
+        """Whether the numbers of the file are those of the buffer."""
+        return (self.scale, self.offset, self.space, self.normals) == (1.0, 0.0, "world", "xyz")
+
+    @property
     def stored(self) -> dict[str, Any]:
         """The keys that `Encoding` keeps, apart from the storage."""
-        return self.model_dump(include=Encoding.__dataclass_fields__.keys() - {"storage"})
+        return self.model_dump(include=Encoding.__dataclass_fields__.keys() - {"storage", "loss"})
 
 
 class MappingFile(Table):
@@ -103,7 +124,7 @@ class MappingFile(Table):
 def read_mapping(path: Path) -> MappingFile:
     """The tables of a mapping file. Raises one DumpError for all that is wrong with them."""
     try:
-        return MappingFile.model_validate(_parsed(path))
+        return MappingFile.model_validate(toml_of(path, EXPECTED, DumpError))
     except ValidationError as error:
         problems = [described(details, _known(details["loc"]))[1] for details in error.errors()]
         raise DumpError("\n".join(f"{path}: {problem}" for problem in problems)) from None
@@ -112,16 +133,3 @@ def read_mapping(path: Path) -> MappingFile:
 def _known(location: tuple[str | int, ...]) -> Iterable[str]:
     """The keys of the table that an error is in."""
     return MappingFile.model_fields if len(location) == 1 else BufferTable.model_fields
-
-
-def _parsed(path: Path) -> dict[str, Any]:
-    try:
-        if path.stat().st_size > BYTE_LIMIT:
-            raise DumpError(told(str(path), f"a mapping file of at most {BYTE_LIMIT} bytes", "more", "check the path"))
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise DumpError(
-            told(str(path), "a folder of buffers or a mapping file", error.strerror or "none", "check the path")
-        ) from None
-    except (ValueError, RecursionError) as error:  # not UTF-8, not TOML, or nested without end
-        raise DumpError(told(str(path), "valid TOML", str(error), "correct that place")) from None

@@ -28,6 +28,12 @@ def d32s8(words: np.ndarray) -> np.ndarray:
     return (words & 0xFFFFFFFF).astype(np.uint32).view(np.float32)[..., np.newaxis]
 
 
+def r9g9b9e5(words: np.ndarray) -> np.ndarray:
+    """uint32 (H, W) -> R, G, B of nine bits and one exponent e: n * 2^(e - 15 - 9), float32 (H, W, 3), exact."""
+    fields = [(words >> shift & 0x1FF).astype(np.float32) for shift in (0, 9, 18)]
+    return np.ldexp(np.dstack(fields), (words >> 27).astype(np.int32)[..., np.newaxis] - 24)
+
+
 def _small_float(bits: np.ndarray, mantissa: int) -> np.ndarray:
     """Exponent e, fraction f of m bits: 2^(e-15) * (1 + f/2^m); e = 0: 2^-14 * f/2^m; e = 31: infinity or NaN."""
     return (bits << (MANTISSA_OF_16 - mantissa)).astype(np.uint16).view(np.float16).astype(np.float32)

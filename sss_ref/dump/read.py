@@ -7,17 +7,19 @@ from pathlib import Path
 
 import numpy as np
 
-from sss_ref.dump.convert import converted
+from sss_ref.dump.convert import Converted, converted
 from sss_ref.dump.encoding import Encoding
 from sss_ref.dump.files import parts_of
 from sss_ref.dump.formats.raw import RawLayout
+from sss_ref.dump.loss import Loss
 from sss_ref.dump.mapping import Origin
+from sss_ref.dump.nothing_drawn import cleared
+from sss_ref.dump.slots import Slot, slots_of
 from sss_ref.dump.sources import Source, known_only, sources_of
 from sss_ref.dump.texels import StoredTexels
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import nearest, told
 from sss_ref.results.diff import bits
-from sss_ref.scene.forms import Form
 from sss_ref.scene.scene import Scene
 
 Parts = Callable[[Path, RawLayout | None], tuple[StoredTexels, ...]]
@@ -36,6 +38,11 @@ class DumpedBuffer:
     encoding: Encoding
     path: Path
     notes: tuple[str, ...] = ()
+
+    @property
+    def stored(self) -> str | Loss:
+        """What the file keeps of a value, as `validate` takes it."""
+        return self.encoding.loss or self.encoding.storage
 
     @property
     def storage(self) -> str:
@@ -73,30 +80,33 @@ def read_dump(path: Path, scene: Scene, origin: Origin | None = None) -> Dump:
     line for every buffer that cannot be used: unknown to the scene's method, unreadable, of another size, or of values
     that its type cannot hold.
     """
-    forms = scene.forms
-    sources = known_only(sources_of(path, origin), forms)
+    slots = slots_of(scene)
+    sources = known_only(sources_of(path, origin), slots)
     if not sources.found:
-        raise DumpError(told(str(path), f"a file for a buffer ({', '.join(forms)})", "none", "name the files so"))
+        raise DumpError(told(str(path), f"a file for a buffer ({', '.join(slots)})", "none", "name the files so"))
     parts = lru_cache(maxsize=1)(parts_of)  # several buffers may lie in one file
     found, problems = {}, []
     for source in sorted(sources.found, key=lambda source: str(source.path)):
         try:
-            found[source.name] = _buffer(source, forms, parts, scene)
+            found[source.name] = _converted(source, slots, parts, scene)
         except DumpError as error:
             problems.append(str(error))
     if problems:
         raise DumpError("\n".join(problems))
-    return Dump({name: found[name] for name in forms if name in found}, sources.notes, sources.device)
+    paths = {source.name: source.path for source in sources.found}
+    buffers = {}
+    for name, (data, notes) in cleared({name: found[name] for name in slots if name in found}, slots, scene).items():
+        buffer = DumpedBuffer(name, data, found[name].encoding, paths[name], (*found[name].notes, *notes))
+        buffers[name] = replace(buffer, notes=(*buffer.notes, *_oddities(buffer)))
+    return Dump(buffers, sources.notes, sources.device)
 
 
-def _buffer(source: Source, forms: Mapping[str, Form], parts: Parts, scene: Scene) -> DumpedBuffer:
-    if source.name not in forms:
+def _converted(source: Source, slots: Mapping[str, Slot], parts: Parts, scene: Scene) -> Converted:
+    if source.name not in slots:
         where = f"{source.mapping}: buffers.{source.name}"
-        raise DumpError(told(where, "a buffer of this scene", "this one", nearest(source.name, forms)))
+        raise DumpError(told(where, "a buffer of this scene", "this one", nearest(source.name, slots)))
     layout = RawLayout(source.table.shape, source.table.dtype) if source.table.shape and source.table.dtype else None
-    data, encoding, notes = converted(source, forms[source.name], parts(source.path, layout), scene.camera)
-    buffer = DumpedBuffer(source.name, data, encoding, source.path, notes)
-    return replace(buffer, notes=(*notes, *_oddities(buffer)))
+    return converted(source, slots[source.name], parts(source.path, layout), scene.camera)
 
 
 def _oddities(buffer: DumpedBuffer) -> list[str]:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from sss_ref.dump.loss import EXACT, Loss, loss_of
 from sss_ref.errors import SceneError
 from sss_ref.errors.wording import told
 from sss_ref.interpret.intervals.profile import Profile
@@ -15,7 +16,6 @@ from sss_ref.scene.scene import Scene
 from sss_ref.validation.accept.chained import Bounds, chained
 from sss_ref.validation.accept.drawn import Buffers, Rebased, Seen
 from sss_ref.validation.accept.rebased import RASTERIZER, Check, Judgement, Stored, checks
-from sss_ref.validation.accept.storage import STEPS
 from sss_ref.validation.cause.hypotheses import hypotheses
 from sss_ref.validation.clock import Clock
 from sss_ref.validation.profile_file import profile_of
@@ -121,9 +121,9 @@ def _verdicts(
         yield check, verdict
 
 
-def _coarse(stored: Stored) -> dict[str, str]:
+def _coarse(stored: Stored) -> dict[str, str | Loss]:
     """The storages that round."""
-    return {name: storage for name, storage in stored.items() if storage in STEPS}
+    return {name: storage for name, storage in stored.items() if loss_of(storage) != EXACT}
 
 
 def _near_to_far(oracle: Result, buffers: Buffers) -> Buffers:

@@ -33,6 +33,8 @@ def test_every_key(tmp_path):
         rounded_from = "float32"
         space = "view"
         normals = "octahedral"
+        depth = "ray"
+        background = 0
         [buffers.depth]
         file = "depth.RAW"
         shape = [4, 6, 1]
@@ -51,7 +53,9 @@ def test_every_key(tmp_path):
         "rounded_from": "float32",
         "space": "view",
         "normals": "octahedral",
+        "depth": "ray",
     }
+    assert (normal.background, depth.background, depth.depth) == (0.0, None, "window")
     assert (depth.shape, depth.dtype, depth.channels) == ((4, 6, 1), "float32", ("R",))
 
 
@@ -78,16 +82,16 @@ def test_all_problems_at_once(tmp_path):
     ) == [
         "buffers.depth.shape[1]: expected a whole number from 1 to 16384, got -2; choose another value",
         "buffers.depth.dtype: expected the dtype of a raw file, got nothing; add it",
-        "buffers.uv.file: expected a file name ending in .npy, .exr, .png, .tif, .tiff, .dds, .raw, .bin, "
-        'got "a.jpg"; convert the file',
+        "buffers.uv.file: expected a file name ending in .npy, .exr, .png, .tif, .tiff, .dds, .pfm, "
+        '.raw, .bin, got "a.jpg"; convert the file',
         "buffers.uv.part: expected a part's name or number, got true; choose one part",
         "buffers.uv.channels: expected an array, got 3; put the values in brackets, separated by commas",
         "buffers.uv.scale: expected a number that is not zero, got 0; give the factor that undoes the storage",
         "buffers.lit.file: expected a value, got nothing; add it",
         "buffers.lit.fil: expected a known key, got this one; did you mean file?",
         "buffers.image.shape: expected no shape for a file that gives its own, got [1, 2]; remove it",
-        'buffers.image.encoding: expected "float32", "float16", "unorm8", "unorm16", "srgb8", "uint8", "int32" '
-        'or "uint32", got "half"; choose one of these',
+        'buffers.image.encoding: expected "float32", "float16", "unorm8", "unorm16", "snorm8", "snorm16", "srgb8", '
+        '"uint8", "uint16", "uint32", "int8", "int16" or "int32", got "half"; choose one of these',
         "orign: expected a known key, got this one; did you mean origin?",
     ]
 
@@ -103,9 +107,14 @@ def test_all_problems_at_once(tmp_path):
         ("[[buffers.x]]", "buffers.x: expected a table, got [{}]; give its keys, each with a value"),
         ("[buffers.x]\nfile = 'a.raw'\nshape = [1]\ndtype = 'uint8'", "buffers.x.shape: expected [height, width]"),
         ("[buffers.x]\nfile = 'a.npy'\noffset = nan", "buffers.x.offset: expected a finite number"),
-        ("[buffers", "expected valid TOML, got "),
-        ("a = " + "[" * 5000, "expected valid TOML, got "),
-        ("#" * 2**20 + "#", "expected a mapping file of at most 1048576 bytes, got more"),
+        ("[buffers", "expected valid TOML, got none at end of document; correct that place"),
+        ("[buffers]\nx = ?", "expected valid TOML, got none at line 2, column 5; correct that place"),
+        ("a = 1979-13-01", "expected valid TOML, got none at line 1, column 9; correct that place"),
+        ("a = " + "[" * 100_000, "expected valid TOML, got brackets nested without end; nest less"),
+        (
+            "#" * 2**20 + "#",
+            "expected a folder of buffers or a mapping file, of at most 1048576 bytes, got 1048577 bytes; check",
+        ),
     ],
 )
 def test_one_problem(tmp_path, text, problem):
@@ -119,7 +128,7 @@ def test_no_file_and_no_text(tmp_path):
     ):
         read_mapping(tmp_path / "none.toml")
     (tmp_path / "m.toml").write_bytes(b"\xff\xfe")
-    with pytest.raises(DumpError, match="expected valid TOML, got 'utf-8' codec"):
+    with pytest.raises(DumpError, match="mapping file in UTF-8, got a byte that is no UTF-8 at byte 0; save"):
         read_mapping(tmp_path / "m.toml")
 
 

@@ -103,8 +103,11 @@ def test_a_named_part_with_its_channels(result, tmp_path):
     assert refusal(mapped(tmp_path, table + channels), result) == [
         f"{where}.part: expected the part normal_world in g.exr, got first, second; name one of these"
     ]
-    assert refusal(mapped(tmp_path, table + "part = 1\n"), result) == [
-        f"{where}.channels: expected 3 channels with usual names in g.exr, got n.x, n.y, n.z, id; "
+    for more in ("part = 1", 'part = "n"', 'part = "second"\nchannels = "xyz"'):  # the one layer that has x, y, z
+        part = read_dump(mapped(tmp_path, table + more), result.scene)
+        assert in_bits(part.buffers["normal_world"].data, normal)
+    assert refusal(mapped(tmp_path, '[buffers.uv]\nfile = "g.exr"\npart = 1\nchannels = "UV"'), result) == [
+        f"{tmp_path / 'm.toml'}: buffers.uv.channels: expected U, V in g.exr, got n.x, n.y, n.z, id; "
         "name those of the buffer"
     ]
     assert refusal(mapped(tmp_path, table + 'part = 1\nchannels = ["n.x"]'), result) == [
@@ -145,7 +148,8 @@ def test_normals_in_view_space_moved_to_0_1(result, tmp_path):
     found = read_dump(mapped(tmp_path, table), result.scene).buffers["normal_world"]
     error = np.abs(found.data - result["normal_world"])[covered]
     assert error.max() <= np.sqrt(3) / 255 + 1e-6  # half a code in each component, however turned
-    assert found.encoding == Encoding("unorm8", space="view", normals="n*.5+.5")
+    assert found.encoding == Encoding("unorm8", space="view", normals="n*.5+.5", loss=found.encoding.loss)
+    assert 2 * np.sqrt(3) / 255 < found.encoding.loss.least < 2.001 * np.sqrt(3) / 255  # a step of n, turned
     assert len(found.notes) == 2
 
 
@@ -255,14 +259,14 @@ def test_all_problems_at_once_each_under_its_key(result, tmp_path):
         "buffers.irradiance: expected a buffer of this scene, got this one; remove it",
         'buffers.phong.space: expected "world", as phong has no space, got "view"; remove it',
         'buffers.albedo.normals: expected "xyz", as albedo is no normal, got "octahedral"; remove it',
-        "buffers.scattered.encoding: expected one of float32, float16, unorm8, unorm16 for",
+        "buffers.scattered.encoding: expected one of float32, float16, unorm8, unorm16, snorm8, snorm16 for",
         "buffers.image.channels: expected R, G, X in a.npy, got R, G, B; name those of the buffer",
         "buffers.position_world.part: expected the part b in a.npy, got 0; name one of these",
         'buffers.lit.origin: expected "top" or "bottom" for a raw file, got nothing; add it',
     ]
     for start, line in zip([f"{path}: {start}" for start in starts], lines, strict=False):
         assert line.startswith(start)
-    assert lines[8].startswith(f"{tmp_path / 'cut.npy'}: expected a whole file of its format, got ValueError")
+    assert lines[8].startswith(f"{tmp_path / 'cut.npy'}: expected a whole NPY file, got one that is damaged")
     assert len(lines) == 9
 
 

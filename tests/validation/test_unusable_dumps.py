@@ -107,11 +107,11 @@ def test_an_empty_folder(judged):
         (lambda lit: lit[:0], "got 32 x 0"),
         (
             lambda lit: lit.astype(np.float64),
-            "expected float32, float16, int32, uint32, uint16, uint8 or bool, got f",
+            "expected float32, float16, integers of 8, 16 or 32 bits, or bool, got f",
         ),
         (lambda lit: lit.astype(np.complex64), "got complex64"),
         (lambda lit: (lit * 9).astype(np.int32), "expected floats, or a byte's share of 1 for lit, got integers"),
-        (lambda lit: lit.astype(object), "expected a whole file of its format"),
+        (lambda lit: lit.astype(object), "expected numbers, got Python objects"),
     ],
 )
 def test_an_array_of_another_form(judged, buffers, wrong, message):

@@ -4,14 +4,14 @@ Layout: Microsoft, "Programming Guide for DDS", DDS_HEADER and DDS_HEADER_DXT10;
 """
 
 import struct
-from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
 
 import numpy as np
 
-from sss_ref.dump.formats.dds_formats import DXGI, FOURCC, MASKS, TexelFormat
+from sss_ref.dump.formats.dds_formats import DXGI, FOURCC, TexelFormat, by_masks
+from sss_ref.dump.formats.dxgi_names import dxgi_name
 from sss_ref.dump.texels import StoredTexels, check_size
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import told
@@ -23,6 +23,7 @@ HAS_PITCH, HAS_DEPTH = 0x8, 0x800000  # of its flags
 HAS_FOURCC = 0x4  # of the pixel format's flags
 CUBE_MAP, VOLUME = 0x200, 0x200000  # of its second capabilities
 TEXTURE_2D, TEXTURE_CUBE = 3, 0x4  # of the extension's dimension and flags
+KNOWN = "a FLOAT, UNORM, SNORM, UINT, SINT or depth format, R11G11B10, R10G10B10A2 or R9G9B9E5"
 EXPORT_ONE = "export a single 2D texture"
 
 
@@ -32,7 +33,7 @@ class DdsHeader:
 
     width: int
     height: int
-    pitch: int | None  # bytes from row to row, where the file gives it
+    pitch: int  # bytes from row to row; 0 where the file does not give it
     format: TexelFormat
     size: int
 
@@ -44,7 +45,7 @@ def read(path: Path) -> tuple[StoredTexels]:
         available = path.stat().st_size - header.size
         row_bytes = header.width * header.format.texel_bytes
         check_size(path, header.width, header.height, header.format.texel_bytes, available)
-        pitch = row_bytes if header.pitch is None else header.pitch
+        pitch = header.pitch or row_bytes  # 0 is what writers give that do not fill the field
         gap_bytes = (pitch - row_bytes) * (header.height - 1)
         if not 0 <= gap_bytes <= available - row_bytes * header.height:
             expected = f"rows of {row_bytes} bytes, or further apart and all there"
@@ -58,7 +59,8 @@ def read(path: Path) -> tuple[StoredTexels]:
 
 def _unpacked(stored: np.ndarray, texel: TexelFormat) -> StoredTexels:
     data = texel.unpack(stored[..., 0]) if texel.unpack else stored.astype(stored.dtype.newbyteorder("="))
-    return StoredTexels(data, tuple(texel.channels), texel.storage)
+    loss = texel.loss(data) if texel.loss else None
+    return StoredTexels(data, tuple(texel.channels), texel.storage, loss=loss)
 
 
 def _header(path: Path, file: BinaryIO) -> DdsHeader:
@@ -73,8 +75,8 @@ def _header(path: Path, file: BinaryIO) -> DdsHeader:
     if is_extended:
         texel = _extended_format(path, _words(path, file, 5))
     else:
-        texel = _old_format(path, fourcc if pixel_flags & HAS_FOURCC else None, tuple(masks))
-    return DdsHeader(width, height, pitch if flags & HAS_PITCH else None, texel, 4 * (37 if is_extended else 32))
+        texel = _old_format(path, pixel_flags, fourcc, tuple(masks))
+    return DdsHeader(width, height, pitch if flags & HAS_PITCH else 0, texel, 4 * (37 if is_extended else 32))
 
 
 def _words(path: Path, file: BinaryIO, count: int) -> tuple[int, ...]:
@@ -92,19 +94,20 @@ def _extended_format(path: Path, words: tuple[int, ...]) -> TexelFormat:
         came = f"dimension {dimension}, flags {flags:#x}, {array_size} layers"
         raise DumpError(told(str(path), "one 2D surface", came, EXPORT_ONE))
     if number not in DXGI:
-        raise DumpError(told(str(path), _known(DXGI.values()), f"DXGI format {number}", "convert the texture"))
+        name = dxgi_name(number)
+        remedy = "view it with a type and export that" if "TYPELESS" in name else "convert the texture to one of these"
+        raise DumpError(told(str(path), KNOWN, name, remedy))
     return DXGI[number]
 
 
-def _old_format(path: Path, fourcc: int | None, masks: tuple[int, ...]) -> TexelFormat:
+def _old_format(path: Path, flags: int, fourcc: int, masks: tuple[int, ...]) -> TexelFormat:
     """The format of a file without extension: by FourCC, or by bit count and channel masks."""
-    texel = MASKS.get(masks) if fourcc is None else FOURCC.get(fourcc)
+    texel = FOURCC.get(fourcc) if flags & HAS_FOURCC else by_masks(flags, masks)
     if texel is None:
         bits, *channels = masks
-        came = f"FourCC {fourcc}" if fourcc is not None else f"{bits} bits with masks {', '.join(map(hex, channels))}"
-        raise DumpError(told(str(path), _known(FOURCC.values()), came, "export it with a DX10 header"))
+        came = f"{bits} bits with masks {', '.join(map(hex, channels))}, flags {flags:#x}"
+        if flags & HAS_FOURCC:
+            letters = fourcc.to_bytes(4, "little")
+            came = f"FourCC {letters.decode('ascii') if letters.isalnum() else fourcc}"
+        raise DumpError(told(str(path), KNOWN, came, "export it with a DX10 header"))
     return texel
-
-
-def _known(formats: Iterable[TexelFormat]) -> str:
-    return f"a format among {', '.join(texel.name for texel in formats)}"

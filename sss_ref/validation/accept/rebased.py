@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from sss_ref.dump.loss import Loss
 from sss_ref.interpret.arrays import draw_values, in_chunks, stage_input
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.interpret.intervals.value_sets import Texels, componentwise
@@ -25,7 +26,7 @@ from sss_ref.validation.accept.acceptance import acceptance_of, accepted
 from sss_ref.validation.accept.drawn import Buffers, Drawn, Pixels, Rebased, Seen, spread_varyings, stacked
 from sss_ref.validation.accept.storage import before_storage, depth_storage, lost_in_storage, step_of
 
-Stored = Mapping[str, str]  # buffer -> its storage, of those that are not in float32
+Stored = Mapping[str, str | Loss]  # buffer -> its storage, of those that are not in float32
 RASTERIZER = "rasterizer"  # the name under which what the draw itself writes is judged
 
 

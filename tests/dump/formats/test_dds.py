@@ -17,6 +17,32 @@ WIDTH, HEIGHT = 5, 3
 # DXGI number -> struct code of a texel, channels, storage.
 PLAIN = {
     2: ("4f", "RGBA", "float32"),
+    3: ("4I", "RGBA", "uint32"),
+    4: ("4i", "RGBA", "int32"),
+    7: ("3I", "RGB", "uint32"),
+    8: ("3i", "RGB", "int32"),
+    12: ("4H", "RGBA", "uint16"),
+    13: ("4h", "RGBA", "snorm16"),
+    14: ("4h", "RGBA", "int16"),
+    17: ("2I", "RG", "uint32"),
+    18: ("2i", "RG", "int32"),
+    30: ("4B", "RGBA", "uint8"),
+    31: ("4b", "RGBA", "snorm8"),
+    32: ("4b", "RGBA", "int8"),
+    36: ("2H", "RG", "uint16"),
+    37: ("2h", "RG", "snorm16"),
+    38: ("2h", "RG", "int16"),
+    50: ("2B", "RG", "uint8"),
+    51: ("2b", "RG", "snorm8"),
+    52: ("2b", "RG", "int8"),
+    57: ("H", "R", "uint16"),
+    58: ("h", "R", "snorm16"),
+    59: ("h", "R", "int16"),
+    63: ("b", "R", "snorm8"),
+    64: ("b", "R", "int8"),
+    65: ("B", "A", "unorm8"),
+    88: ("4B", "BGRX", "unorm8"),
+    93: ("4B", "BGRX", "srgb8"),
     6: ("3f", "RGB", "float32"),
     10: ("4e", "RGBA", "float16"),
     11: ("4H", "RGBA", "unorm16"),
@@ -38,7 +64,16 @@ PLAIN = {
     87: ("4B", "BGRA", "unorm8"),
     91: ("4B", "BGRA", "srgb8"),
 }
-OLD = {111: 54, 112: 34, 113: 10, 114: 41, 115: 16, 116: 2}  # FourCC -> the DXGI number that means the same
+OLD = {
+    36: 11,
+    110: 13,
+    111: 54,
+    112: 34,
+    113: 10,
+    114: 41,
+    115: 16,
+    116: 2,
+}  # FourCC -> the DXGI number that means the same
 MASKS = {  # bits, red, green, blue, alpha -> the DXGI number that means the same
     (8, 0xFF, 0, 0, 0): 61,
     (16, 0xFF, 0xFF00, 0, 0): 49,
@@ -109,6 +144,32 @@ def test_float_formats_of_old_files(tmp_path, fourcc):
     assert ("".join(texels.channels), texels.storage) == (channels, storage)
 
 
+@pytest.mark.parametrize(
+    ("flags", "masks", "code", "channels", "storage"),
+    [
+        (0x20000, (8, 0xFF, 0, 0, 0), "B", "R", "unorm8"),  # luminance
+        (0x20000, (8, 0xFF, 0xFF, 0xFF, 0), "B", "R", "unorm8"),  # as some writers have it
+        (0x20000, (16, 0xFFFF, 0, 0, 0), "H", "R", "unorm16"),
+        (0x20001, (16, 0xFF, 0, 0, 0xFF00), "2B", "RA", "unorm8"),
+        (0x2, (8, 0, 0, 0, 0xFF), "B", "A", "unorm8"),  # alpha alone
+        (0x40, (24, 0xFF0000, 0xFF00, 0xFF, 0), "3B", "BGR", "unorm8"),
+        (0x40, (24, 0xFF, 0xFF00, 0xFF0000, 0), "3B", "RGB", "unorm8"),
+        (0x40, (32, 0xFF0000, 0xFF00, 0xFF, 0), "4B", "BGRX", "unorm8"),
+        (0x40, (32, 0xFF, 0xFF00, 0xFF0000, 0), "4B", "RGBX", "unorm8"),
+        (0x80000, (16, 0xFF, 0xFF00, 0, 0), "2b", "RG", "snorm8"),  # bump maps: V8U8, V16U16, Q8W8V8U8
+        (0x80000, (32, 0xFFFF, 0xFFFF0000, 0, 0), "2h", "RG", "snorm16"),
+        (0x80000, (32, 0xFF, 0xFF00, 0xFF0000, 0xFF000000), "4b", "RGBA", "snorm8"),
+    ],
+)
+def test_old_headers_by_what_their_masks_are_of(tmp_path, flags, masks, code, channels, storage):
+    data, values = random_texels(code)
+    old = bytearray(header(WIDTH, HEIGHT, fourcc=None, masks=masks))
+    old[80:84] = struct.pack("<I", flags)
+    texels = read(tmp_path, bytes(old) + data)
+    assert_holds(texels, values)
+    assert ("".join(texels.channels), texels.storage) == (channels, storage)
+
+
 @pytest.mark.parametrize("masks", MASKS)
 def test_unorm_formats_by_masks(tmp_path, masks):
     code, channels, storage = PLAIN[MASKS[masks]]
@@ -142,6 +203,24 @@ def test_eleven_eleven_ten(tmp_path):
     assert texels.storage == "float11" and "".join(texels.channels) == "RGB"
 
 
+def test_nine_bits_each_and_one_exponent(tmp_path):
+    # The value is n * 2^(e - 24): 256 at e = 16 is 1, 511 at e = 31 the largest, 1 at e = 0 the least.
+    words = [256 | 128 << 9 | 1 << 18 | 16 << 27, 511 | 31 << 27, 1]
+    texels = read(tmp_path, dds(67, b"".join(struct.pack("<I", word) for word in words) * 5))
+    flat = texels.data.reshape(15, 3)
+    assert flat[:3].tolist() == [[1, 0.5, 2.0**-8], [511 * 2.0**7, 0, 0], [2.0**-24, 0, 0]]
+    assert texels.storage == "float9" and texels.data.dtype == np.float32
+    assert texels.loss.least == 511 * 2.0**7 * 2.0**-8  # the step of 9 bits is at most this part of the largest
+
+
+@pytest.mark.parametrize("dxgi", [21, 46])
+def test_depth_beside_bits_without_type(tmp_path, dxgi):
+    data = struct.pack("<fI", 0.25, 7) if dxgi == 21 else struct.pack("<I", 0xFF800000)
+    texels = read(tmp_path, dds(dxgi, data * (WIDTH * HEIGHT)))
+    expected = np.float32(0.25) if dxgi == 21 else np.float32(0x800000) / np.float32(0xFFFFFF)
+    assert (texels.data == expected).all() and texels.channels == ("R",)
+
+
 def test_depth_beside_stencil(tmp_path):
     codes = [0, 0xFFFFFF, 0x800000, 1, 0xABCDEF] * 3
     data = b"".join(struct.pack("<I", code | 0xA5000000) for code in codes)
@@ -158,6 +237,7 @@ def test_rows_may_be_further_apart(tmp_path):
     padded = b"padding.".join(rows)
     assert_holds(read(tmp_path, dds(41, padded, pitch=4 * WIDTH + 8)), values)
     assert_holds(read(tmp_path, dds(41, data, pitch=4 * WIDTH)), values)
+    assert_holds(read(tmp_path, dds(41, data, pitch=0)), values)  # said to be there, and not filled in
     assert "a pitch of 28" in refusal(tmp_path, dds(41, padded[:-1], pitch=4 * WIDTH + 8))
     assert "a pitch of 19" in refusal(tmp_path, dds(41, padded, pitch=4 * WIDTH - 1))
     assert f"a pitch of {2**32 - 1}" in refusal(tmp_path, dds(41, padded, pitch=2**32 - 1))
@@ -177,8 +257,13 @@ def test_smaller_mips_after_the_first_are_passed_over(tmp_path):
         (header(WIDTH, HEIGHT) + extension(41, dimension=4), "dimension 4"),
         (header(WIDTH, HEIGHT) + extension(41, misc=4), "flags 0x4"),
         (header(WIDTH, HEIGHT) + extension(41, layers=6), "6 layers"),
-        (header(WIDTH, HEIGHT) + extension(98), "DXGI format 98"),
-        (header(WIDTH, HEIGHT, fourcc=b"DXT5"), f"FourCC {int.from_bytes(b'DXT5', 'little')}"),
+        (header(WIDTH, HEIGHT) + extension(98), "got DXGI_FORMAT_BC7_UNORM; convert the texture"),
+        (header(WIDTH, HEIGHT) + extension(71), "got DXGI_FORMAT_BC1_UNORM; convert"),
+        (header(WIDTH, HEIGHT) + extension(39), "got DXGI_FORMAT_R32_TYPELESS; view it with a type"),
+        (header(WIDTH, HEIGHT) + extension(25), "got DXGI_FORMAT_R10G10B10A2_UINT; convert"),
+        (header(WIDTH, HEIGHT) + extension(130), "got DXGI format 130; convert"),
+        (header(WIDTH, HEIGHT, fourcc=None, masks=(32, 0x3FF, 0xFFC00, 0x3FF00000, 3 << 30)), "got 32 bits with masks"),
+        (header(WIDTH, HEIGHT, fourcc=b"DXT5"), "got FourCC DXT5; export it with a DX10 header"),
         (header(WIDTH, HEIGHT, fourcc=None, masks=(16, 0xF800, 0x7E0, 0x1F, 0)), "16 bits with masks 0xf800, 0x7e0"),
         (header(WIDTH, HEIGHT) + extension(41) + bytes(59), "got 59"),
         (header(0, HEIGHT) + extension(41) + bytes(60), "0 x 3"),

@@ -21,19 +21,25 @@ def header(shape, kind="<f4"):
     return b"\x93NUMPY\1\0" + len(text).to_bytes(2, "little") + text.encode()
 
 
+DAMAGED = "expected a whole NPY file, got one that is damaged or cut off, or of another format; dump the buffer again"
+
+
 @pytest.mark.parametrize(
     ("data", "message"),
     [
-        (b"", "EOFError"),
-        (b"x" * 200, "ValueError"),
-        (header((100000, 100000)), "ValueError"),
-        (header((2, 2)) + bytes(15), "ValueError"),
+        (b"", DAMAGED),
+        (b"x" * 200, DAMAGED),
+        (header((100000, 100000)), DAMAGED),
+        (header((2, 2)) + bytes(15), DAMAGED),
+        (header((2, 2))[:60], DAMAGED),
+        (header((2, 2)).replace(b"}", b" ") + bytes(16), DAMAGED),
+        (header((2, 2), "|O") + bytes(16), "expected numbers, got Python objects"),
         (header((2, 2), "<f8") + bytes(32), "got float64"),
         (header((2, 2), "<i8") + bytes(32), "got int64"),
         (header((4,)) + bytes(16), "expected an array of height x width, perhaps x 1 to 4 channels, got 4; "),
         (header((2, 2, 5)) + bytes(80), "got 2 x 2 x 5"),
         (header((20000, 1)) + bytes(80000), "got 1 x 20000"),
-        (b"PK\3\4" + bytes(30), "BadZipFile"),
+        (b"PK\3\4" + bytes(30), DAMAGED),
     ],
 )
 def test_what_is_refused_without_taking_memory(tmp_path, data, message):

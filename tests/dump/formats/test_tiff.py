@@ -68,7 +68,7 @@ def test_pages_and_channels_side_by_side_or_in_planes(tmp_path, planar):
 @pytest.mark.parametrize(
     ("data", "message"),
     [
-        (b"", "expected a whole file of its format, got TiffFileError"),
+        (b"", "expected a whole TIF file, got one that is damaged"),
         (tiff(5, 3, bytes(60), photometric=0), "got axes YX, photometric 0, orientation 1"),
         (tiff(5, 3, bytes(60), orientation=4), "got axes YX, photometric 1, orientation 4"),
         (tiff(100000, 3, bytes(60)), "got 100000 x 3"),
@@ -85,3 +85,52 @@ def test_without_tifffile_the_message_says_how_to_get_it(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "tifffile", None)
     with pytest.raises(DumpError, match=r"got none; pip install 'sss_ref\[validate\]'"):
         read(tmp_path, tiff(5, 3, bytes(60)))
+
+
+COMPRESSIONS = [
+    ("lzw", None),
+    ("lzw", True),
+    ("adobe_deflate", None),
+    ("adobe_deflate", True),
+    ("packbits", None),
+    ("zstd", True),
+]
+
+
+@pytest.mark.parametrize(("compression", "predictor"), COMPRESSIONS)
+@pytest.mark.parametrize("kind", ["f4", "f2", "u1", "u2"])
+@pytest.mark.parametrize("layout", [{}, {"tile": (16, 16)}, {"byteorder": ">"}, {"planarconfig": "separate"}])
+def test_compressions_that_lose_nothing(tmp_path, compression, predictor, kind, layout):
+    """With the horizontal predictor for integers and that of floating point for floats, OpenImageIO's default."""
+    values = (np.random.default_rng(3).random((20, 24, 3)) * 200).astype(kind)
+    order = {"byteorder": layout["byteorder"]} if "byteorder" in layout else {}
+    form = {key: value for key, value in layout.items() if key != "byteorder"}
+    stored = values.transpose(2, 0, 1) if "planarconfig" in layout else values
+    with tifffile.TiffWriter(tmp_path / "x.tif", **order) as file:
+        file.write(stored, photometric="rgb", compression=compression, predictor=predictor, **form)
+    (texels,) = parts_of(tmp_path / "x.tif")
+    assert np.array_equal(texels.data, values) and texels.data.dtype == values.dtype
+
+
+def test_a_compression_that_loses_bits_is_refused_by_name(tmp_path):
+    tifffile.imwrite(tmp_path / "x.tif", np.zeros((16, 16, 3), np.uint8), photometric="rgb", compression="jpeg")
+    with pytest.raises(DumpError, match=r"that loses nothing \(none, LZW, .*\), got JPEG \(7\); save it with one"):
+        parts_of(tmp_path / "x.tif")
+
+
+def test_without_imagecodecs_the_message_names_it_and_plain_files_are_read(tmp_path, monkeypatch):
+    tifffile.imwrite(tmp_path / "x.tif", np.zeros((4, 4), np.float32), compression="lzw", predictor=True)
+    tifffile.imwrite(tmp_path / "plain.tif", np.zeros((4, 4), np.float32))
+    monkeypatch.setitem(sys.modules, "imagecodecs", None)
+    told = r"expected the package imagecodecs, which reads the compression LZW with predictor 3, got none; pip install"
+    with pytest.raises(DumpError, match=told):
+        parts_of(tmp_path / "x.tif")
+    assert parts_of(tmp_path / "plain.tif")[0].data.shape == (4, 4, 1)
+
+
+def test_a_smaller_copy_of_a_page_is_no_page(tmp_path):
+    with tifffile.TiffWriter(tmp_path / "x.tif") as file:
+        file.write(np.ones((8, 8), np.float32))
+        file.write(np.zeros((4, 4), np.float32), subfiletype=1)
+    (texels,) = parts_of(tmp_path / "x.tif")
+    assert texels.data.shape == (8, 8, 1)

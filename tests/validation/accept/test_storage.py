@@ -8,16 +8,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import sss_ref
+from sss_ref.dump.loss import LOSSES
 from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.scene_file.color_texture import srgb_decoded
-from sss_ref.validation.accept.storage import STEPS, before_storage, depth_storage, lost_in_storage, step_of
+from sss_ref.validation.accept.storage import before_storage, depth_storage, lost_in_storage, step_of
 
 F = np.float32
 VULKAN = PROFILES["vulkan"]
-CODES = {"unorm8": 255, "unorm10": 1023, "unorm16": 65535, "unorm24": 2**24 - 1}
-BITS = {"float16": 10, "float11": 6, "float10": 5}  # of the significand
+CODES = {"unorm8": 255, "unorm10": 1023, "unorm16": 65535, "unorm24": 2**24 - 1, "snorm8": 127, "snorm16": 32767}
+BITS = {"float16": 10, "float24": 15, "float11": 6, "float10": 5}  # of the significand
+LEAST = {"float24": -126}  # exponents of normal numbers; else -14
 
 
 def neighbours(x, storage):
@@ -26,12 +28,12 @@ def neighbours(x, storage):
         codes = srgb_decoded().astype(float)
         return codes[codes <= x].max(), codes[codes >= x].min()
     if storage in BITS:
-        step = 2.0 ** (max(np.floor(np.log2(abs(x) or 1e-30)), -14) - BITS[storage])
+        step = 2.0 ** (max(np.floor(np.log2(abs(x) or 1e-45)), LEAST.get(storage, -14)) - BITS[storage])
         return np.floor(x / step) * step, np.ceil(x / step) * step
     return np.floor(x * CODES[storage]) / CODES[storage], np.ceil(x * CODES[storage]) / CODES[storage]
 
 
-@pytest.mark.parametrize("storage", STEPS)
+@pytest.mark.parametrize("storage", LOSSES)
 @given(x=st.floats(0, 1, width=32))
 @settings(max_examples=200)
 def test_a_texture_holds_a_neighbour_of_what_it_was_given(storage, x):

@@ -1,0 +1,48 @@
+"""Texts that users hand over: what is no regular file is not opened, and no other library's words are told."""
+
+import os
+
+import pytest
+
+from sss_ref.dump.mapping import read_mapping
+from sss_ref.errors import DumpError, ProfileError
+from sss_ref.errors.text_file import BYTE_LIMIT, text_of
+from sss_ref.validation.profile_file import profile_of
+
+READERS = [(read_mapping, DumpError), (profile_of, ProfileError)]
+
+
+@pytest.mark.parametrize(("read", "error"), READERS)
+def test_a_pipe_and_a_device_are_refused_before_they_are_opened(tmp_path, read, error):
+    os.mkfifo(tmp_path / "pipe.toml")
+    (tmp_path / "zero.toml").symlink_to("/dev/zero")
+    for name in ("pipe.toml", "zero.toml", "."):
+        with pytest.raises(error, match="got no regular file; copy its content to one") as caught:
+            read(tmp_path / name)
+        assert len(str(caught.value).splitlines()) == 1
+
+
+@pytest.mark.parametrize(("read", "error"), READERS)
+@pytest.mark.parametrize(
+    ("data", "came"),
+    [
+        (b"a = " + b"[" * 100_000, "expected valid TOML, got brackets nested without end; nest less"),
+        (b"a = ?", "expected valid TOML, got none at line 1, column 5; correct that place"),
+        (b"a =", "expected valid TOML, got none at end of document; correct that place"),
+        (b"a = " + b"9" * 5000, "expected valid TOML, got a date or number out of range; correct it"),
+        (b"\xff", "in UTF-8, got a byte that is no UTF-8 at byte 0; save it as UTF-8"),
+        (b"#" * (BYTE_LIMIT + 1), f"of at most {BYTE_LIMIT} bytes, got {BYTE_LIMIT + 1} bytes; check the path"),
+    ],
+)
+def test_a_text_that_is_none(tmp_path, read, error, data, came):
+    (tmp_path / "x.toml").write_bytes(data)
+    with pytest.raises(error) as caught:
+        read(tmp_path / "x.toml")
+    assert str(caught.value).endswith(came) and len(str(caught.value).splitlines()) == 1
+
+
+def test_a_text_comes_through(tmp_path):
+    (tmp_path / "x").write_text("é" * 10, encoding="utf-8")
+    assert text_of(tmp_path / "x", "a text", DumpError) == "é" * 10
+    with pytest.raises(DumpError, match="expected a text, got No such file or directory; check the path"):
+        text_of(tmp_path / "y", "a text", DumpError)
