@@ -15,6 +15,7 @@ import numpy as np
 
 import sss_ref
 from sss_ref.numerics.elementary import pow_array as pow
+from sss_ref.pictures.png_file import write_png
 from sss_ref.view.matrices import normal_matrix
 
 SUBPIXEL = 256  # window positions are snapped to this part of a pixel
@@ -236,8 +237,5 @@ if __name__ == "__main__":
     name, size = [*sys.argv[1:], *("figure3_with", "256")[len(sys.argv) - 1 :]]
     sizes = dict.fromkeys(("camera.width", "camera.height", "shadow_map.width", "shadow_map.height"), int(size))
     buffers = render(sss_ref.load_scene(name, **sizes))
-
-    from sss_ref.pictures.png_file import write_png
-
     write_png(Path("one_page.png"), buffers["image"], buffers["coverage"])
     print("one_page.png")
