@@ -75,7 +75,10 @@ def draw(scene: Scene, this_pass: Pass, buffers: Buffers, machine: Machine) -> S
 def vertices(scene: Scene, this_pass: Pass, buffers: Buffers, machine: Machine) -> tuple[np.ndarray, np.ndarray]:
     """What the vertex stage of a pass gives: clip positions float32 (V, 4), and the varyings that are read, (V, C)."""
     given = {**scene.uniforms, **buffers}
-    return machine.interpreter.run_vertices(this_pass, scene.mesh.attributes, given, *varying_columns(this_pass))
+    clip_position, varyings = machine.interpreter.run_vertices(
+        this_pass, scene.mesh.attributes, given, *varying_columns(this_pass)
+    )
+    return clip_position, varyings
 
 
 def varying_columns(this_pass: Pass) -> tuple[dict[str, int], int]:

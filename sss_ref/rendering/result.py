@@ -49,7 +49,8 @@ class Result:
         saving = import_module(
             "sss_ref.results.folder"
         )  # the one way up: the room of result folders builds on this one
-        return saving.save(self, Path(folder))
+        saved: Path = saving.save(self, Path(folder))
+        return saved
 
 
 def buffer_hash(name: str, buffer: np.ndarray) -> str:
