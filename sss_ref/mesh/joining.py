@@ -33,7 +33,7 @@ def joined(path: Path, content: FileContent) -> Mesh:
     source: Literal["file", "computed"] = "computed" if normals is None else "file"
     if normals is None:
         normals = vertex_normals(positions, triangles)
-    material, materials = _joined_materials(parts)
+    material, materials = content.materials or _joined_materials(parts)
     tiled = Tiled(uvs, triangles) if uvs is None else into_unit_square(uvs, triangles)
     return Mesh(
         path.name,

@@ -6,10 +6,10 @@ order. It numbers the triangles in every buffer.
 
 from pathlib import Path
 
-from sss_ref.mesh.by_trimesh import read_by_trimesh
 from sss_ref.mesh.gltf.gltf_reader import read_gltf
 from sss_ref.mesh.joining import joined
 from sss_ref.mesh.part import refused
+from sss_ref.mesh.polygon_files import READERS, read_polygon_file
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.mesh.untrusted import BYTE_LIMIT
 from sss_ref.scene_file.shipped import MESH_SUFFIXES
@@ -22,7 +22,7 @@ def load_mesh(path: Path) -> Mesh:
     Raises MeshError for anything that cannot be drawn.
     """
     _check_file(path)
-    read = read_gltf if path.suffix.lower() in (".gltf", ".glb") else read_by_trimesh
+    read = read_polygon_file if path.suffix.lower() in READERS else read_gltf
     return joined(path, read(path))
 
 

@@ -30,6 +30,7 @@ class FileContent(NamedTuple):
 
     parts: list[Part]  # in the order that numbers their triangles
     notes: tuple[str, ...] = ()  # what of the file was changed or not used, and why
+    materials: tuple[NDArray[np.int32], tuple[Material, ...]] | None = None  # where one part has several: by triangle
 
 
 def placed(

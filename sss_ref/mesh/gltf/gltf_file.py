@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from sss_ref.mesh.gltf.gltf_document import AGAIN, GltfDocument
 from sss_ref.mesh.gltf.understood import check_understood, refuse_first_version
 from sss_ref.mesh.part import refused
-from sss_ref.mesh.untrusted import check_declarations, check_text
+from sss_ref.mesh.untrusted import check_packed, check_text
 
 HEADER, CHUNK = struct.Struct("<4sII"), struct.Struct("<I4s")
 
@@ -24,7 +24,7 @@ class GltfFile(NamedTuple):
 def opened(path: Path) -> GltfFile:
     """A file as its first bytes say, whatever its name; raises MeshError for what is no glTF 2.0."""
     data = path.read_bytes()
-    check_declarations(path, data)
+    check_packed(path, data)
     text, binary, notes = _chunks(path, data) if data[:4] == b"glTF" else (data, None, ())
     check_text(path, text)
     content = _parsed(path, text)
