@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from sss_ref.mesh.materials import Material
 from sss_ref.mesh.normals import vertex_normals
-from sss_ref.mesh.part import FileContent, FloatArray, Part, refused
+from sss_ref.mesh.part import FileContent, FloatArray, Part, refused, without_unused
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.mesh.uv_tiles import Tiled, into_unit_square
 
@@ -21,7 +21,7 @@ def joined(path: Path, content: FileContent) -> Mesh:
     Stored normals are kept if every part has them, all finite and none 0, otherwise all normals are computed
     (rule R6). Raises MeshError for what cannot be drawn.
     """
-    parts = [part for part in content.parts if len(part.triangles)]
+    parts = [without_unused(part) for part in content.parts if len(part.triangles)]
     if not parts:
         raise refused(path, "at least one triangle", "none", "export the mesh as triangles or polygons")
     positions = np.concatenate([part.positions for part in parts])

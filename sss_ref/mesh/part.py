@@ -1,6 +1,6 @@
 """What every reader of a mesh file gives: its parts in the file's order, moved to their places, and what to tell."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -23,6 +23,20 @@ class Part:
     uvs: FloatArray | None  # (V, 2), finite, origin bottom-left
     triangles: NDArray[np.int64]  # (T, 3), indices of the part's vertices, counter-clockwise seen from outside
     material: Material
+
+
+def without_unused(part: Part) -> Part:
+    """The part without the vertices that no triangle uses (rule R10), the others in their order."""
+    used = np.unique(part.triangles)
+    if len(used) == len(part.positions):
+        return part
+    return replace(
+        part,
+        positions=part.positions[used],
+        normals=None if part.normals is None else part.normals[used],
+        uvs=None if part.uvs is None else part.uvs[used],
+        triangles=np.searchsorted(used, part.triangles),
+    )
 
 
 class FileContent(NamedTuple):

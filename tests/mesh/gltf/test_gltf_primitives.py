@@ -42,14 +42,14 @@ def test_fan(tmp_path, indices):
 
 
 def test_primitives_in_order(tmp_path):
-    """A list of one triangle, then a fan of two: three triangles."""
+    """A list of one triangle, which leaves a vertex out, then a fan of two: three triangles."""
     square = np.float32([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]])
     builder = GltfBuilder()
     first = builder.primitive(np.uint16([0, 1, 2]), POSITION=square)
     second = {**builder.primitive(np.uint16([0, 1, 2, 3]), POSITION=square), "mode": 6}
     builder.add("meshes", {"primitives": [first, second]})
     loaded = builder.loaded(tmp_path)
-    assert loaded.triangles.tolist() == [[0, 1, 2], [5, 6, 4], [6, 7, 4]]
+    assert loaded.triangles.tolist() == [[0, 1, 2], [4, 5, 3], [5, 6, 3]]
 
 
 @pytest.mark.parametrize("mode", [0, 1, 2, 3])
