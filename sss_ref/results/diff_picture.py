@@ -8,6 +8,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from sss_ref.errors import DumpError
+from sss_ref.language.names import Name
 from sss_ref.pictures import tiles
 from sss_ref.pictures.channels import channel_names
 from sss_ref.pictures.lettering import BRIGHT, FAINT, SOFT, font
@@ -124,7 +125,8 @@ def versions(name: str, pair: Pair, drawn: Pair, step: int) -> list[np.ndarray]:
 
 def _drawn(name: str, files: Mapping[str, Path], buffer: np.ndarray) -> np.ndarray:
     """Where the model is seen, as far as the folder tells: the background would use up the range of a scalar."""
-    triangle = files.get("light_triangle" if name.startswith("light_") else "triangle")
+    of_map = Name("light_triangle", Name.of(name).light)
+    triangle = files.get(str(of_map) if name.startswith("light_") else "triangle")
     seen = read_buffer(triangle) >= 0 if triangle and channel_names(name, buffer)[0] != "R" else None
     return seen if seen is not None and seen.shape == buffer.shape[:2] else np.ones(buffer.shape[:2], bool)
 

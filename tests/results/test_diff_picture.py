@@ -74,6 +74,14 @@ def test_picture(saved, tmp_path):
         assert picture[top + y - diff_picture.RING, left + x].tolist() == list(diff_picture.BRIGHT)
 
 
+def test_each_light_has_its_own_background(tmp_path):
+    for light, triangles in ((1, [[-1, 4]]), (2, [[7, -1]])):
+        np.save(tmp_path / f"light_triangle_{light}.npy", np.int32(triangles))
+    files = diff_picture.buffer_files(tmp_path)
+    seen = {light: diff_picture._drawn(f"light_distance_{light}", files, np.float32([[8, 9]])) for light in (1, 2)}
+    assert seen[1].tolist() == [[False, True]] and seen[2].tolist() == [[True, False]]
+
+
 def test_the_background_does_not_use_up_the_range(saved, tmp_path):
     files = diff_picture.buffer_files(saved)
     drawn = diff_picture._drawn("depth", files, np.load(files["depth"]))
