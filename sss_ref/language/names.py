@@ -18,6 +18,11 @@ FORM = re.compile(
 )
 
 
+def tap_name(number: int) -> str:
+    """What belongs to a single tap of the blur, by its number from 0: tap_07."""
+    return f"tap_{number:02}"
+
+
 @dataclass(frozen=True)
 class Name:
     """A name taken apart; `str` puts it together again.

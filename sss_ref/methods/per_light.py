@@ -36,15 +36,15 @@ class Lights:
 
 
 def of_light(light: int) -> Rename:
-    """The renaming of what belongs to one light, 0 being the only one."""
+    """The renaming of what belongs to a light: lit becomes partial_lit_2; nothing does where it is the only one, 0."""
 
-    def rename(text: str) -> str:
+    def numbered(text: str) -> str:
         name = Name.of(text).of_light(light)
-        if light and described(text).in_parts:
+        if described(text).in_parts:
             return str(name.as_share(PARTIAL))
-        return str(name) if light and belongs_to_a_light(text) else text
+        return str(name) if belongs_to_a_light(text) else text
 
-    return rename
+    return numbered if light else lambda text: text
 
 
 def belongs_to_a_light(name: str) -> bool:

@@ -1,6 +1,7 @@
 """Screen-space subsurface scattering (paper 2.1 and 3.2): shadow map, camera, blur, composite."""
 
 from sss_ref.language import Stage
+from sss_ref.language.names import tap_name
 from sss_ref.language.pipeline import Method, Pass, ScreenDraw
 from sss_ref.methods.per_light import Lights
 from sss_ref.methods.shared import CAMERA_VIEW, NEUTRAL, behind_the_surface, shadow_maps
@@ -38,5 +39,5 @@ def screen_space(settings: SceneFile) -> Method:
 
 def single_taps(settings: SceneFile) -> tuple[Stage, ...]:
     """The stage `single_tap` once for each row of the kernel, writing tap_00, tap_01 and so on."""
-    names = [f"tap_{number:02}" for number in range(len(settings.blur.taps))]
+    names = [tap_name(number) for number in range(len(settings.blur.taps))]
     return tuple(blur.single_tap.bound(tap=name, offset=f"{name}_offset", weight=f"{name}_weight") for name in names)

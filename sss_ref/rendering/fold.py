@@ -1,4 +1,9 @@
-"""Rendering: a method's passes, folded over a dictionary of buffers."""
+"""Rendering: a method's passes, folded over a dictionary of buffers.
+
+Each pass is handed what the passes before it wrote, first drawn (`draw`: on which pixels are there fragments?), then
+shaded (`shade`: what do its stages write there?). What comes out is added to the dictionary; what neither a later pass
+reads nor the caller keeps is let go.
+"""
 
 import os
 import time
@@ -51,32 +56,37 @@ def render(
         for this_pass, read_later in scene.method.only(kept).in_order():
             if on_pass:
                 on_pass(this_pass.name)
-            start = time.perf_counter()
+            start, needed = time.perf_counter(), kept | read_later
             sketch = draw(scene, this_pass, buffers, machine)
-            written = sketch.written | run(scene, this_pass, sketch, buffers, kept | read_later, machine)
-            buffers = {name: each for name, each in (buffers | written).items() if name in kept | read_later}
+            there = buffers | sketch.written | shaded(scene, this_pass, sketch, buffers, needed, machine)
+            buffers = {name: buffer for name, buffer in there.items() if name in needed}
             notes += sketch.notes
             timings[this_pass.name] = time.perf_counter() - start
-    return Result(
-        scene, {name: buffers[name] for name in scene.method.values if name in kept}, timings, notes=tuple(notes)
-    )
+    in_stage_order = {name: buffers[name] for name in scene.method.values if name in kept}
+    return Result(scene, in_stage_order, timings, notes=tuple(notes))
 
 
-def run(
+def shaded(
     scene: Scene, this_pass: Pass, sketch: Sketch, buffers: Buffers, wanted: set[str], machine: Machine
 ) -> dict[str, np.ndarray]:
-    """The wanted outputs of a pass, its stages run on the fragments of a draw as often as it has rounds."""
+    """What the stages of a pass write of the wanted outputs, run on the fragments of a draw as often as it has rounds.
+
+    A pass that is fed back its own outputs gives those alone, round after round.
+    """
     names = [name for name in this_pass.values if name in wanted and name not in sketch.written]
     if not names:
         return {}
     every_round = [*this_pass.fed_back] or names
-    return dict(
-        this_pass.folded(buffers, lambda read: shade(scene, this_pass, sketch.fragments, read, every_round, machine))
-    )
+
+    def one_round(read: Buffers) -> Buffers:
+        return shade(scene, this_pass, sketch.fragments, read, every_round, machine)
+
+    return dict(this_pass.folded(buffers, one_round))
 
 
 @contextmanager
 def _pool(threads: int | None) -> Iterator[Executor | None]:
+    """The threads that share the work; none where one does it all."""
     count = threads or os.cpu_count() or 1
     if count == 1:
         yield None

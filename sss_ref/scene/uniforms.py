@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.language.names import Name
+from sss_ref.language.names import Name, tap_name
 from sss_ref.passes.light_uniforms import LightUniforms
 from sss_ref.scene_file.settings import SceneFile
 from sss_ref.view.matrices import Matrix, normal_matrix
@@ -49,8 +49,8 @@ def uniforms_of(
         "tap_offset": taps[:, :2],
         "tap_weight": taps[:, 2:],
         "background": settings.output.background,
-        **{f"tap_{number:02}_offset": tap[:2] for number, tap in enumerate(taps)},
-        **{f"tap_{number:02}_weight": tap[2:] for number, tap in enumerate(taps)},
+        **{f"{tap_name(number)}_offset": tap[:2] for number, tap in enumerate(taps)},
+        **{f"{tap_name(number)}_weight": tap[2:] for number, tap in enumerate(taps)},
     }
     rounded = {name: np.array(value, np.float32, order="C") for name, value in values.items()}
     scalars = {name: value if value.ndim else value[()] for name, value in rounded.items()}
