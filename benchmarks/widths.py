@@ -70,15 +70,15 @@ def widths(oracle: Result, profile: Profile) -> dict[str, list[Widths]]:
 
 def steps(oracle: Result, profile: Profile) -> Iterator[Step]:
     """Every stage of the scene on every chunk of its fragments, given what the oracle has."""
-    rendering = Rebased(oracle, {})
-    for one in oracle.scene.method.passes:
-        if one.on_demand or one.feedback:
+    rendering = Rebased(oracle, {}, profile)
+    for this_pass in oracle.scene.method.passes:
+        if this_pass.on_demand or this_pass.feedback:
             continue
-        work = rendering.work(one)
-        rows, columns = np.nonzero(work.fragments.where)
+        drawn = rendering.drawn(this_pass)
+        rows, columns = np.nonzero(drawn.work.fragments.where)
         for start in range(0, len(rows), CHUNK):
             at = rows[start : start + CHUNK], columns[start : start + CHUNK]
-            yield from walk(work, at, oracle.buffers, Judgement(profile))
+            yield from walk(drawn, at, oracle.buffers, Judgement(profile))
 
 
 def width_of(value: Any) -> np.ndarray:

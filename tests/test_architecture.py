@@ -10,7 +10,7 @@ from package_sources import PACKAGE, import_graph
 ROOT = Path(__file__).parents[1]
 NAMES = ("docs/architecture.md", "CONTRIBUTING.md", "README.md")
 PAGES = {name: (ROOT / name).read_text(encoding="utf-8") for name in NAMES}
-BACK_DOORS = {("rendering", "results"), ("scene_file", "scene")}  # Result.save; the check of what fits into memory
+BACK_DOORS = {("rendering", "results")}  # Result.save
 WRITTEN = {"dist/", "out/manifest.json"}  # by a command of the page
 THINGS = ["a stage", "a dump format", "a hypothesis", "a dialect", "a method"]
 

@@ -23,7 +23,7 @@ ROBUST: dict[str, Any] = {
     "irradiance_map": {"mode": "lambert", "image": "product", "dilate": 8},
 }
 
-# What the printed figures compute: the paper's application, maps of eight bits included (methods/published.py).
+# What the printed figures compute: the paper's application, maps of eight bits included (methods/published/).
 PUBLISHED: dict[str, Any] = {
     "camera": {"fov_y": 45.0, "near": 0.001, "far": 1000.0, "width": 1600, "height": 900},
     "lights": {"target": [0.0, 0.0, 0.0], "fov_y": 90.0, "near": 0.001, "far": 1000.0},
