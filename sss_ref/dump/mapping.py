@@ -101,13 +101,15 @@ class BufferTable(Table):
 
     @property
     def is_plain(self) -> bool:
-        """Whether the numbers of the file are those of the buffer."""
-        return (self.scale, self.offset, self.space, self.normals) == (1.0, 0.0, "world", "xyz")
+        """Whether the numbers of the file are those of the buffer, apart from their signs."""
+        scales = self.scale if isinstance(self.scale, tuple) else (self.scale,)
+        turned = any(abs(scale) != 1 for scale in scales)
+        return not turned and (self.offset, self.space, self.normals) == (0.0, "world", "xyz")
 
     @property
     def stored(self) -> dict[str, Any]:
         """The keys that `Encoding` keeps, apart from the storage."""
-        return self.model_dump(include=Encoding.__dataclass_fields__.keys() - {"storage", "loss"})
+        return {name: getattr(self, name) for name in Encoding.__dataclass_fields__ if name not in ("storage", "loss")}
 
 
 class MappingFile(Table):
