@@ -23,7 +23,8 @@ PART_LIMIT = 2**16  # primitives over all nodes and copies
 
 def read_gltf(path: Path) -> FileContent:
     """The parts of a glTF or GLB file; raises MeshError for one that is broken, hostile or needs what is not known."""
-    return _GltfReader(path).content()
+    with np.errstate(all="ignore"):  # numbers that are too large: positions and UVs are checked when they are rounded
+        return _GltfReader(path).content()
 
 
 class _GltfReader:
