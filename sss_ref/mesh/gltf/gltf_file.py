@@ -38,7 +38,8 @@ def _chunks(path: Path, data: bytes) -> tuple[bytes, bytes | None, tuple[str, ..
     """The JSON and binary chunk of a GLB file, and a note about bytes behind its end (glTF 2.0, 4.4)."""
     _, version, size = HEADER.unpack(data[:12].ljust(12, b"\0"))
     if version != 2:
-        raise refused(path, "version 2 of GLB, for glTF 2.0", f"version {version}", "convert it to glTF 2.0")
+        came = f"version {version}" + ", of glTF 1.0" * (version == 1)
+        raise refused(path, "version 2 of GLB, for glTF 2.0", came, "convert it to glTF 2.0")
     if size > len(data):
         raise refused(path, f"the {size} bytes it declares", str(len(data)), "copy or export it again")
     chunks, offset = [], HEADER.size

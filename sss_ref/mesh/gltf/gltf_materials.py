@@ -57,7 +57,7 @@ class Appearance:
 
     def __init__(self, document: GltfDocument, number: int | None, user: str) -> None:
         self._document = document
-        self._place: tuple[Any, ...] = ("materials", number)
+        self._place: tuple[Any, ...] = ("materials", number)  # of the colour texture, once that is known
         material = GltfMaterial() if number is None else document.entry(GltfMaterial, number, user)
         color, self._texture = self._color(material)
         if min(color) < 0:
@@ -70,14 +70,15 @@ class Appearance:
         name = "KHR_materials_pbrSpecularGlossiness"
         older = self._document.extension(SpecularGlossiness, name, material, self._place)
         if older:
+            self._place += ("extensions", name, "diffuseTexture")
             return older.diffuseFactor, older.diffuseTexture
+        self._place += ("pbrMetallicRoughness", "baseColorTexture")
         return material.pbrMetallicRoughness.baseColorFactor, material.pbrMetallicRoughness.baseColorTexture
 
     def _transform_of(self, texture: TextureInfo | None) -> TextureTransform | None:
         if texture is None:
             return None
-        place = (*self._place, "pbrMetallicRoughness", "baseColorTexture")
-        return self._document.extension(TextureTransform, "KHR_texture_transform", texture, place)
+        return self._document.extension(TextureTransform, "KHR_texture_transform", texture, self._place)
 
     @property
     def uv_set(self) -> int:

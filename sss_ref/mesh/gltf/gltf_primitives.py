@@ -60,11 +60,12 @@ class PrimitiveReader:
         return GltfSurface(place, primitive, positions, normals, uvs, triangles, appearance.material)
 
     def _refuse_draco(self, place: str, primitive: GltfPrimitive) -> None:
-        """Draco's data is not read; where accessors have no view, it is all there is."""
+        """Draco's data is not read; where an accessor has no view, it is all there is."""
         name = "KHR_draco_mesh_compression"
-        if name in primitive.extensions and not self._accessors.has_data(
-            primitive.attributes["POSITION"], f"{place}.attributes.POSITION"
-        ):
+        users = {f"{place}.attributes.{each}": number for each, number in primitive.attributes.items()}
+        if primitive.indices is not None:
+            users[f"{place}.indices"] = primitive.indices
+        if name in primitive.extensions and not all(self._accessors.has_data(users[user], user) for user in users):
             remedy = "export it without compression"
             raise self._document.refused(place, "uncompressed data", f"{name} alone", remedy)
 

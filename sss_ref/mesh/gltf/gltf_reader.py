@@ -13,7 +13,7 @@ from sss_ref.mesh.gltf.gltf_document import GltfMesh, GltfPrimitive
 from sss_ref.mesh.gltf.gltf_file import opened
 from sss_ref.mesh.gltf.gltf_primitives import GltfSurface, PrimitiveReader
 from sss_ref.mesh.gltf.hierarchy import Hierarchy, Matrix, Placed
-from sss_ref.mesh.gltf.instances import copies, is_collapsed
+from sss_ref.mesh.gltf.instances import NAME, copies, is_collapsed
 from sss_ref.mesh.gltf.morphs import weights_of
 from sss_ref.mesh.gltf.skins import Skins
 from sss_ref.mesh.part import FileContent, Part, placed
@@ -50,6 +50,8 @@ class _GltfReader:
     def _parts(self, node: Placed) -> Iterator[Part]:
         number = node.node.mesh
         if number is None:
+            if NAME in node.node.extensions:
+                self._notes[f"nodes[{node.number}]: {NAME} not used: it has no mesh"] = None
             return
         mesh = self._document.entry(GltfMesh, number, f"nodes[{node.number}].mesh")
         transforms = copies(self._document, self._accessors, node)

@@ -71,10 +71,10 @@ def bad_containers():
     yield whole[:-1], f"expected the {len(whole)} bytes it declares, got {len(whole) - 1}; copy or export it again"
     yield chunked((b"BIN\0", binary)), f"expected a GLB file that begins with JSON, got another chunk or none{AGAIN}"
     yield chunked(), f"expected a GLB file that begins with JSON, got another chunk or none{AGAIN}"
-    yield b"glTF\1\0\0\0", "expected version 2 of GLB, for glTF 2.0, got version 1; convert it to glTF 2.0"
+    yield b"glTF\1\0\0\0", "expected version 2 of GLB, for glTF 2.0, got version 1, of glTF 1.0; convert it to glTF 2.0"
     yield (
         chunked((b"JSON", text), version=1),
-        "expected version 2 of GLB, for glTF 2.0, got version 1; convert it to glTF 2.0",
+        "expected version 2 of GLB, for glTF 2.0, got version 1, of glTF 1.0; convert it to glTF 2.0",
     )
     short = chunked((b"JSON", b"{}  ")).replace(b"\4\0\0\0JSON", b"\5\0\0\0JSON")
     yield short, f"expected a chunk of 5 bytes, got 4 before the end{AGAIN}"

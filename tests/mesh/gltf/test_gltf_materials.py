@@ -77,6 +77,10 @@ BAD = [
      "expected an array, got 2"),
     (transformed({}, rotation=None), f"{PBR}baseColorTexture.extensions.KHR_texture_transform.rotation: "
      "expected a number, got null"),
+    ({"extensions": {"KHR_materials_pbrSpecularGlossiness": {
+        "diffuseTexture": {"extensions": {"KHR_texture_transform": {"offset": 1}}}}}},
+     "materials[0].extensions.KHR_materials_pbrSpecularGlossiness.diffuseTexture.extensions.KHR_texture_transform"
+     ".offset: expected an array, got 1"),
 ]  # fmt: skip
 
 

@@ -76,6 +76,15 @@ def test_attributes_of_an_application_are_not_looked_at(tmp_path):
     assert len(copied(TRANSLATION=OFFSETS, _ID=99).loaded(tmp_path).triangles) == 8
 
 
+def test_copies_of_nothing_are_noted(tmp_path):
+    """The extension defines none for a node without mesh."""
+    builder = copied(TRANSLATION=OFFSETS)
+    builder.tables["nodes"] = [{"children": [1], **builder.tables["nodes"][0]}, {"mesh": 0}]
+    del builder.tables["nodes"][0]["mesh"]
+    loaded = builder.loaded(tmp_path)
+    assert len(loaded.triangles) == 4 and loaded.notes == (f"nodes[0]: {NAME} not used: it has no mesh",)
+
+
 BAD = {
     "none": (copied(), f"{PLACE}: expected one of TRANSLATION, ROTATION, SCALE, got none{AGAIN}"),
     "different counts": (
