@@ -12,9 +12,7 @@ DELTAS = {"VEC3": AccessorForm("VEC3", ("float",), SIGNED), "VEC2": AccessorForm
 
 def weights_of(node: GltfNode, mesh: GltfMesh) -> list[float]:
     """The weights of a node's mesh: the node's, else the mesh's; none given means 0."""
-    if node.weights is not None:
-        return node.weights
-    return mesh.weights or []
+    return node.weights or mesh.weights or []
 
 
 class Morphs(NamedTuple):

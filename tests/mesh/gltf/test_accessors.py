@@ -240,6 +240,15 @@ def test_bad_accessor(tmp_path, changes, expected):
     assert refusal(builder, tmp_path) == expected
 
 
+def test_view_that_is_not_aligned(tmp_path):
+    builder = tetrahedron()
+    builder.tables["bufferViews"][0] |= {"byteOffset": 2}
+    assert refusal(builder, tmp_path) == (
+        POSITION + "expected components that are aligned to 4 bytes, got byteOffset 0 in bufferViews[0], "
+        f"which starts at 2, stride 12{AGAIN}"
+    )
+
+
 def test_count_may_be_written_with_a_point(tmp_path):
     builder = tetrahedron()
     builder.tables["accessors"][0]["count"] = 4.0

@@ -157,9 +157,11 @@ def test_meshopt(tmp_path, name):
     fallback = {"byteLength": len(builder.binary), "extensions": {name: {"fallback": True}}}
     path = tmp_path / "a.gltf"
     path.write_text(json.dumps(document | {"buffers": [*document["buffers"], fallback]}))
-    assert message(path) == (
-        f"bufferViews[0]: expected uncompressed data, got {name} alone; export it without compression"
-    )
+    refused = f"bufferViews[0]: expected uncompressed data, got {name} alone; export it without compression"
+    assert message(path) == refused
+    binary = tmp_path / "a.glb"
+    binary.write_bytes(glb(json.dumps(document | {"buffers": [{"byteLength": 72}, fallback]}).encode(), builder.binary))
+    assert message(binary) == refused
     path.write_text(
         json.dumps(document | {"buffers": [document["buffers"][0], fallback | {"uri": embedded(builder.binary)}]})
     )
