@@ -96,3 +96,26 @@ def test_what_a_storage_may_be_taken_for():
     for native, wanted in [("float16", "float32"), ("float11", "float16"), ("int32", "unorm8"), ("unorm16", "unorm8")]:
         with pytest.raises(DumpError, match=f"^x: expected one of .* for a file of {native}, got {wanted}; "):
             storage_of(native, wanted, "x")
+
+
+@pytest.mark.parametrize(("storage", "kind", "top"), [("snorm8", "i1", 127), ("snorm16", "i2", 32767)])
+def test_every_code_of_snorm_and_two_for_minus_one(storage, kind, top):
+    values = decoded(column(range(-top - 1, top + 1), kind), "R", storage, "x").reshape(-1)
+    exact = [max(Fraction(code, top), Fraction(-1)) for code in range(-top - 1, top + 1)]
+    assert values.dtype == np.float32 and values[:2].tolist() == [-1, -1]
+    rounded = [float(nearest_float32(abs(each))) for each in exact]
+    assert values.tolist() == [-size if each < 0 else size for each, size in zip(exact, rounded, strict=True)]
+
+
+def test_floats_that_come_from_snorm():
+    codes = np.arange(-127, 128).astype(np.float32)[:, np.newaxis, np.newaxis] / np.float32(127)
+    assert np.array_equal(decoded(codes, "R", "snorm8", "x"), codes)
+    with pytest.raises(DumpError, match=r"expected values that snorm8 can hold, got 0\.5; "):
+        decoded(column([0.5], "f4"), "R", "snorm8", "x")
+
+
+@pytest.mark.parametrize(("kind", "storage"), [("u2", "uint16"), ("i1", "int8"), ("i2", "int16")])
+def test_narrow_integers_keep_their_values(kind, storage):
+    ends = [np.iinfo(kind).min, 0, np.iinfo(kind).max]
+    values = decoded(column(ends, kind), "R", storage, "x")
+    assert values.reshape(-1).tolist() == ends and values.dtype == np.int32
