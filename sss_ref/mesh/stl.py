@@ -19,18 +19,17 @@ AGAIN = "export the mesh again"
 
 def read_stl(path: Path, data: bytes) -> Polygons:
     """The triangles of an STL file, of all its solids. Raises MeshError where the file ends too early."""
-    declared = int.from_bytes(data[80:HEADER], "little")
-    fits = len(data) >= HEADER and len(data) == HEADER + declared * FACET.itemsize
-    return _in_text(path, data) if not fits and _is_text(data) else _in_binary(path, data, declared)
+    return _in_text(path, data) if _is_text(data) else _in_binary(path, data)
 
 
 def _is_text(data: bytes) -> bool:
-    """Binary headers may begin with "solid" too, but the number behind them, or a float, has a byte that is zero."""
+    """Binary headers may begin with "solid" too, but the number of facets has a byte that is zero."""
     start = plain(data[:1024]).lstrip().lower()
     return start.startswith((b"solid", b"facet")) and b"\0" not in data[:1024]
 
 
-def _in_binary(path: Path, data: bytes, declared: int) -> Polygons:
+def _in_binary(path: Path, data: bytes) -> Polygons:
+    declared = int.from_bytes(data[80:HEADER], "little")
     behind = len(data) - HEADER - declared * FACET.itemsize
     if behind < 0 and len(data) >= HEADER:
         came = f"{len(data) - HEADER} bytes"

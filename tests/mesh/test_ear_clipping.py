@@ -11,7 +11,9 @@ DART = [(0, 0), (2, 1), (0, 2), (1, 1)]  # area 1, reflex at the last corner
 COMB = [(0, 0), (7, 0), (7, 3), (6, 1), (5, 3), (4, 1), (3, 3), (2, 1), (1, 3)]  # area 13.5
 FRAME = [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0), (1, 1), (1, 3), (3, 3), (3, 1), (1, 1)]  # a hole and its bridge: 12
 T_JUNCTION = [(0, 0), (1, 0), (2, 0), (2, 2), (1, 1), (0, 2)]  # a corner on an edge, and a reflex one: 3
+SPIKE = [(4, 0), (5, 5), (3, 5), (3, 1), (3, 4), (3, 3), (0, 2)]  # along itself and back; some corners touch: 11
 SHAPES = {
+    "spike": (SPIKE, 11),
     "L": (L, 3),
     "dart": (DART, 1),
     "comb": (COMB, 13.5),
@@ -114,3 +116,11 @@ def test_random_polygons_keep_their_area():
         found = cut(points, np.full(50, size))
         assert found.crossed == 0
         assert np.array_equal(np.abs(cross(points, found.corners)).sum(axis=1).reshape(50, -1).sum(axis=1), doubled)
+
+
+def test_the_first_corner_that_can_be_is_cut_off():
+    """Rule R10 by hand: at the bridge, corners at the place of the triangle's own do not keep it from being cut off."""
+    assert cut(in_space(FRAME), np.array([10])).corners.tolist() == [
+        *([9, 0, 1], [3, 4, 5], [3, 5, 6], [2, 3, 6]),
+        *([2, 6, 7], [1, 2, 7], [1, 7, 8], [9, 1, 8]),
+    ]

@@ -32,6 +32,7 @@ SAME = {
     "a line for each number": f"OFF\n{BODY}".replace(" ", "\n"),
     "vertices on one line": f"OFF\n4 4 6\n{V}".replace("\n", " ") + "\n" + F,
     "lines that break in a face": f"OFF\n{BODY}".replace("3 0 2 1", "3 0\n2 1"),
+    "a colour behind a face that breaks": f"OFF\n{BODY}".replace("3 0 2 1", "3 0\n2 1 0 0 0"),
     "two faces on a line": f"OFF\n{BODY}".replace("1\n3 0 1", "1 3 0 1"),
     "colours of faces": f"OFF\n{BODY}".replace("3 0 2 1", "3 0 2 1 255 0 0").replace("3 0 1 3", "3 0 1 3 .1 .2 .3 1"),
     "a colour of each face by its number": f"OFF\n4 4 6\n{V}" + rows((3, *face, 5) for face in FACES),

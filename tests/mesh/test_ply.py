@@ -1,6 +1,7 @@
 """PLY in its three forms. Right values: Turk's description of the format; Blender, assimp and MeshLab agree."""
 
 import struct
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -249,9 +250,17 @@ def test_refused(tmp_path, name):
 
 
 def test_memory_is_held_to_the_bytes_there_are(tmp_path):
-    """A table of thousands of columns and millions of rows, of which there are 17 million bytes, but no more."""
-    header = "ply\nformat binary_little_endian 1.0\nelement a 16777216\n" + "property uchar b\n" * 20000
-    header += "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
-    assert refusal(tmp_path, "a.ply", header.encode() + bytes(16777217)) == (
-        "expected the 16777217 elements it declares, got 16777217 bytes" + AGAIN
+    """A million rows of lists that are all used, for which there is a byte each: refused before memory is taken."""
+    header = "ply\nformat binary_little_endian 1.0\nelement vertex 1048576\n"
+    header += "".join(
+        f"property list uchar uchar {name}\n"
+        for name in ["x", "y", "z", "nx", "ny", "nz", "s", "t", "u", "v", "tu", "tv"]
     )
+    header += "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    tracemalloc.start()
+    assert refusal(tmp_path, "a.ply", header.encode() + bytes(range(128)) * 8193) == (
+        "expected the 1048577 elements it declares, got 1048704 bytes" + AGAIN
+    )
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert most < 16 * 2**20

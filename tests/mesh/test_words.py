@@ -21,6 +21,11 @@ def test_words_with_marks_of_comments_in_them():
     assert [words[k] for k in range(len(words))] == [b"one", b"two#three", b"#", b"four", b"five", b"six"]
 
 
+def test_a_comment_ends_with_its_line_however_many_marks_it_has():
+    words = Words.of(b"a # b # c\nd #\n#e\nf")
+    assert [words[k] for k in range(len(words))] == [b"a", b"d", b"f"]
+
+
 def test_no_words():
     for text in (b"", b" \n", b"#"):
         words = Words.of(text)
