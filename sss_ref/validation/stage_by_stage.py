@@ -17,12 +17,12 @@ from sss_ref.validation.accept.chained import Bounds, chained
 from sss_ref.validation.accept.drawn import Buffers, Rebased, Seen
 from sss_ref.validation.accept.rebased import RASTERIZER, Check, Judgement, Stored, checks
 from sss_ref.validation.cause.hypotheses import hypotheses
+from sss_ref.validation.cause.power import power
 from sss_ref.validation.clock import Clock
 from sss_ref.validation.profile_file import profile_of
 from sss_ref.validation.report.report import Finding, Report
 from sss_ref.validation.report.worst_pixel import worst_pixel
 from sss_ref.validation.verdict.clusters import Places
-from sss_ref.validation.verdict.power import power
 from sss_ref.validation.verdict.suspects import suspects
 from sss_ref.validation.verdict.verdict import Verdict, judged
 

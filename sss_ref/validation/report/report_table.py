@@ -5,10 +5,10 @@ from html import escape
 from itertools import groupby
 
 from sss_ref.results.diff import ULP_CLASSES
+from sss_ref.validation.cause.power import Power
 from sss_ref.validation.report.report import Report
 from sss_ref.validation.report.report_pictures import css_colour, legend
 from sss_ref.validation.verdict.outcomes import OUTCOMES
-from sss_ref.validation.verdict.power import Power
 from sss_ref.validation.verdict.verdict import Verdict
 from sss_ref.validation.verdict.widths import WIDTH_CLASSES, compact
 

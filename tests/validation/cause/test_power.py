@@ -8,8 +8,8 @@ from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.accept.rebased import Judgement
+from sss_ref.validation.cause.power import power
 from sss_ref.validation.stage_by_stage import validate
-from sss_ref.validation.verdict.power import power
 
 
 @pytest.fixture(scope="module")
