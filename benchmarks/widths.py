@@ -16,14 +16,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 import sss_ref
-from sss_ref.interpret.arrays import CHUNK
+from sss_ref.interpret.arrays import in_chunks
 from sss_ref.interpret.intervals.enclosing import CONDITION, WHICH_TEXEL
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.language.types import components
 from sss_ref.rendering.result import Result
 from sss_ref.scene_file.shipped import scene_names
 from sss_ref.validation.accept.acceptance import accepted
-from sss_ref.validation.accept.rebased import Judgement, Rebased, Step, stacked, walk
+from sss_ref.validation.accept.case import Case
+from sss_ref.validation.accept.dumped import Drawing
+from sss_ref.validation.accept.walk import StageRun, walk
 from sss_ref.validation.profile_file import profile_of
 
 TARGETS = ("camera", "shadow_map", "irradiance_map")
@@ -57,28 +59,24 @@ def main() -> None:
 def widths(oracle: Result, profile: Profile) -> dict[str, list[Widths]]:
     """Of every buffer, chunk by chunk."""
     found = defaultdict(list)
-    for step in steps(oracle, profile):
-        given = dict(zip(step.stage.parameters, step.inputs, strict=True))
-        count = len(next(iter(step.accepted.values()))[1])
-        alone = accepted(step.stage, given, profile, count)
-        for name, (value, doubt) in step.accepted.items():
-            exact = stacked(step.results[name])
-            exact = np.broadcast_to(exact, (count, exact.shape[1]))
-            found[name].append(Widths(exact, width_of(value), width_of(alone[name][0]), doubt))
+    for run in runs(oracle, profile):
+        count = len(next(iter(run.written.values())).doubt)
+        given = {own: known.exact for own, known in run.read.items()}
+        alone = accepted(run.stage, given, profile, count)
+        for name, known in run.written.items():
+            exact = np.broadcast_to(known.columns, (count, known.columns.shape[1]))
+            found[name].append(Widths(exact, width_of(known.bounds), width_of(alone[name][0]), known.doubt))
     return found
 
 
-def steps(oracle: Result, profile: Profile) -> Iterator[Step]:
+def runs(oracle: Result, profile: Profile) -> Iterator[StageRun]:
     """Every stage of the scene on every chunk of its fragments, given what the oracle has."""
-    rendering = Rebased(oracle, {}, profile)
+    case = Case(oracle, Drawing(oracle.buffers), profile)
     for this_pass in oracle.scene.method.passes:
-        if this_pass.on_demand or this_pass.feedback:
-            continue
-        drawn = rendering.drawn(this_pass)
-        rows, columns = np.nonzero(drawn.work.fragments.where)
-        for start in range(0, len(rows), CHUNK):
-            at = rows[start : start + CHUNK], columns[start : start + CHUNK]
-            yield from walk(drawn, at, oracle.buffers, Judgement(profile))
+        if not this_pass.on_demand and not this_pass.fed_back:
+            drawn = case.drawn(this_pass)
+            for at in in_chunks(drawn.work.fragments.where):
+                yield from walk(drawn, at)
 
 
 def width_of(value: Any) -> np.ndarray:

@@ -30,9 +30,7 @@ BACK_DOORS = {("sss_ref.rendering.result", "results")}  # Result.save
 # What is still to be mended. Whoever mends one deletes its line: a line without its cause fails too.
 UPWARD: set[tuple[str, str]] = set()
 CIRCLES: list[str] = []
-TWICE = {
-    "Step",
-}
+TWICE: set[str] = set()
 
 
 def room_of(module):

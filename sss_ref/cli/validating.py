@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from sss_ref.scene.scene import Scene
-    from sss_ref.validation.stage_by_stage import Drawing
+    from sss_ref.validation.accept.dumped import Drawing
 
 
 def validate(
@@ -83,7 +83,7 @@ def _drawn(scene: "Scene", shaders: Path | None) -> "Drawing":
     from sss_ref.gl import device_name, draw
     from sss_ref.gl.shaders import shader_folder
     from sss_ref.language.pipeline import REGISTERS
-    from sss_ref.validation.stage_by_stage import Drawing
+    from sss_ref.validation.accept.dumped import Drawing
 
     buffers = draw(scene, shader_folder(shaders, scene.settings) if shaders else {}, keep=("all", REGISTERS))
     return Drawing(buffers, device=device_name())
@@ -91,7 +91,7 @@ def _drawn(scene: "Scene", shaders: Path | None) -> "Drawing":
 
 def _dumped(scene: "Scene", dump: Path | None, origin: Literal["top", "bottom"] | None) -> "Drawing":
     from sss_ref.dump.read import read_dump
-    from sss_ref.validation.stage_by_stage import Drawing
+    from sss_ref.validation.accept.dumped import Drawing
 
     if dump is None:
         raise DumpError("validate: expected a folder of buffers, a mapping file, or --run-glsl, got none; give one")

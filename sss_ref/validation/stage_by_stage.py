@@ -1,11 +1,10 @@
 """The question itself: is this what a right implementation draws, and if not, where does it go wrong."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 import numpy as np
 
-from sss_ref.dump.loss import EXACT, Loss, loss_of
 from sss_ref.errors import SceneError
 from sss_ref.errors.wording import told
 from sss_ref.interpret.intervals.profile import Profile
@@ -13,34 +12,22 @@ from sss_ref.methods.stages import all_stages
 from sss_ref.rendering.fold import render
 from sss_ref.rendering.result import Result
 from sss_ref.scene.scene import Scene
-from sss_ref.validation.accept.chained import Bounds, chained
-from sss_ref.validation.accept.drawn import Buffers, Rebased, Seen
-from sss_ref.validation.accept.rebased import RASTERIZER, Check, Judgement, Stored, checks
+from sss_ref.validation.accept.case import Case
+from sss_ref.validation.accept.chained import chained
+from sss_ref.validation.accept.dumped import Buffers, Drawing, Stored
+from sss_ref.validation.accept.known import KnownBuffer
+from sss_ref.validation.accept.rebased import RASTERIZER, Check, checks, last_round
 from sss_ref.validation.cause.hypotheses import hypotheses
 from sss_ref.validation.cause.power import power
 from sss_ref.validation.clock import Clock
 from sss_ref.validation.profile_file import profile_of
 from sss_ref.validation.report.report import Finding, Report
 from sss_ref.validation.report.worst_pixel import worst_pixel
-from sss_ref.validation.verdict.clusters import Places
+from sss_ref.validation.verdict.clusters import Whereabouts
 from sss_ref.validation.verdict.suspects import suspects
 from sss_ref.validation.verdict.verdict import Verdict, judged
 
 DEFAULT_PROFILE = "vulkan"
-
-
-@dataclass(frozen=True)
-class Drawing:
-    """What another implementation drew.
-
-    buffers: name -> array as in `Result`. stored: buffer -> the storage of its file, where that is less than float32.
-    rounded: buffer -> the storage of its texture, where the file has fewer bits. device: what drew it, in its words.
-    """
-
-    buffers: Buffers
-    stored: Stored = field(default_factory=dict)
-    rounded: Stored = field(default_factory=dict)
-    device: str | None = None
 
 
 def validate(
@@ -81,31 +68,27 @@ def judge(
     _check_buffers(oracle, drawing.buffers)
     _check_something_is_drawn(oracle, only)
     kind = profile_of(profile) if isinstance(profile, str) else profile
-    how = Judgement(kind, _coarse(drawing.stored), drawing.rounded)
-    buffers = _near_to_far(oracle, drawing.buffers) if kind.reversed_depth else drawing.buffers
-    seen: Seen = {}
+    case = Case(oracle, _near_to_far(oracle, drawing.coarse) if kind.reversed_depth else drawing.coarse, kind)
     with clock.phase("chained"):
-        bounds = chained(oracle, kind, buffers, seen)
+        bounds = chained(case, drawing.buffers)
     verdicts, finding, compared = [], None, {}
-    for check, verdict in _verdicts(oracle, buffers, how, only, seen, clock):
-        verdicts.append(replace(verdict, chained=_within_bounds(check, bounds, how)))
+    for check, verdict in _verdicts(case, only, clock):
+        verdicts.append(replace(verdict, chained=_within_bounds(check, bounds, case.drawing)))
         compared[check.buffer] = check.where
         if explain and finding is None and not verdict.passed:
             with clock.phase("hypotheses"):
-                finding = _finding(Rebased(oracle, buffers, kind, seen), how, check, verdict)
-    missing = tuple(name for name in oracle.scene.method.outputs if name not in buffers)
+                finding = _finding(case, check, verdict)
+    missing = tuple(name for name in oracle.scene.method.outputs if name not in drawing.buffers)
     with clock.phase("power"):
-        sight = tuple(power(oracle, compared, how, seen)) if explain else ()
+        sight = tuple(power(case, compared)) if explain else ()
     name = profile if isinstance(profile, str) else "a profile of its own"
     return Report(tuple(verdicts), missing, finding, sight, (), name, drawing.device, clock.seconds)
 
 
-def _verdicts(
-    oracle: Result, buffers: Buffers, how: Judgement, only: np.ndarray | None, seen: Seen, clock: Clock
-) -> Iterator[tuple[Check, Verdict]]:
+def _verdicts(case: Case, only: np.ndarray | None, clock: Clock) -> Iterator[tuple[Check, Verdict]]:
     """Every buffer in stage order, judged on the chosen pixels."""
-    places, method = Places(oracle, buffers), oracle.scene.method
-    todo = checks(oracle, buffers, how, seen)
+    buffers, method = case.drawing.buffers, case.oracle.scene.method
+    whereabouts, todo = Whereabouts(case.oracle, buffers), checks(case)
     while True:
         with clock.phase("rebased"):
             check = next(todo, None)
@@ -114,30 +97,27 @@ def _verdicts(
             clock.tell(f"stage {check.stage}: {check.buffer}")
             if only is not None and check.where.shape == only.shape:
                 check = replace(check, where=check.where & only)
-            verdict = judged(check, places)
+            verdict = judged(check, whereabouts)
             if not verdict.passed:
                 doubtful = suspects(method, check.pass_name, check.buffer, buffers)
                 verdict = replace(verdict, suspects=doubtful)
         yield check, verdict
 
 
-def _coarse(stored: Stored) -> dict[str, str | Loss]:
-    """The storages that round."""
-    return {name: storage for name, storage in stored.items() if loss_of(storage) != EXACT}
+def _near_to_far(oracle: Result, drawing: Drawing) -> Drawing:
+    """The drawing with depths that grow with the distance, of one in which they fall."""
+    depths = {each.draw.depth for each in oracle.scene.method.passes} & set(drawing.buffers)
+    turned = {name: np.float32(1) - drawing.buffers[name] for name in depths}
+    return replace(drawing, buffers={**drawing.buffers, **turned})
 
 
-def _near_to_far(oracle: Result, buffers: Buffers) -> Buffers:
-    """The buffers with depths that grow with the distance, of a dump in which they fall."""
-    depths = {each.draw.depth for each in oracle.scene.method.passes} & set(buffers)
-    return {**buffers, **{name: np.float32(1) - buffers[name] for name in depths}}
-
-
-def _within_bounds(check: Check, bounds: Bounds, how: Judgement) -> int | None:
+def _within_bounds(check: Check, bounds: Mapping[str, KnownBuffer], drawing: Drawing) -> int | None:
     """How many compared pixels lie within the chained bounds; None of what the rasterizer writes, which has none."""
     if check.stage == RASTERIZER:
         return None
-    low, high = (np.atleast_3d(end)[check.where].astype(np.float64) for end in bounds[check.buffer])
-    got = how.before(check.buffer, np.atleast_3d(check.got)[check.where])
+    ends = bounds[check.buffer].low, bounds[check.buffer].high
+    low, high = (np.atleast_3d(end)[check.where].astype(np.float64) for end in ends)
+    got = drawing.before(check.buffer, np.atleast_3d(check.got)[check.where])
     return int(((got.high >= low) & (got.low <= high)).all(axis=-1).sum())
 
 
@@ -171,9 +151,9 @@ def _check_something_is_drawn(oracle: Result, only: np.ndarray | None) -> None:
         raise SceneError(told(where, expected, "none", "change the view or the region; a blank picture proves nothing"))
 
 
-def _finding(rendering: Rebased, how: Judgement, check: Check, verdict: Verdict) -> Finding:
+def _finding(case: Case, check: Check, verdict: Verdict) -> Finding:
     """Look closer at what is wrong."""
-    pass_drawn, buffers = rendering.drawn(rendering.scene.method[check.pass_name]), rendering.dumped
-    found = hypotheses(check, pass_drawn, buffers, how, all_stages()) if check.where.any() else []
-    section = worst_pixel(check, verdict.worst.at, pass_drawn, buffers, how) if verdict.worst else None
+    drawn = last_round(case, case.oracle.scene.method[check.pass_name])
+    found = hypotheses(check, drawn, all_stages()) if check.where.any() else []
+    section = worst_pixel(check, verdict.worst.at, drawn) if verdict.worst else None
     return Finding(check, tuple(found), section)

@@ -11,7 +11,6 @@ from sss_ref.language import Stage
 from sss_ref.language.types import Vector, components
 from sss_ref.numerics.interval import Interval
 
-Acceptance = tuple[np.ndarray, np.ndarray]  # reach float64 (N, C), and bool (N,): whether a choice was undecided
 INTERPOLATION = 2.0**-21  # relative error of interpolating a varying, besides the snap
 
 
@@ -30,18 +29,6 @@ def accepted(
     """Buffer -> the intervals of what the stage may write, one element for each of `count` fragments, and the doubt."""
     outcomes = run_intervals(stage, inputs, profile)
     return {name: (_each(each.value, count), np.broadcast_to(each.doubt, count)) for name, each in outcomes.items()}
-
-
-def acceptance_of(expected: np.ndarray, value: Any, doubt: np.ndarray) -> Acceptance:
-    """How far from the expected result (N, C) the intervals reach; infinite where they are unbounded."""
-    exact = expected.astype(np.float64)
-    low, high = (
-        np.stack([np.asarray(getattr(part, end), np.float64) for part in components(value)], axis=-1)
-        for end in ("low", "high")
-    )
-    with np.errstate(invalid="ignore"):
-        reach = np.maximum(np.maximum(high - exact, exact - low), 0.0)
-    return np.nan_to_num(reach, nan=np.inf, posinf=np.inf), doubt != 0
 
 
 def _each(value: Any, count: int) -> Any:

@@ -15,11 +15,13 @@ import numpy as np
 from sss_ref.language import Stage
 from sss_ref.language.types import Array, Texture, Vector, components, mat3, mat4
 from sss_ref.scene_file.kernels import KERNELS
-from sss_ref.validation.accept.drawn import Buffers, Drawn, Pixels, stacked
-from sss_ref.validation.accept.rebased import RASTERIZER, Check, Judgement, Step, walk
+from sss_ref.validation.accept.case import DrawnPass
+from sss_ref.validation.accept.known import stacked
+from sss_ref.validation.accept.rebased import RASTERIZER, Check
+from sss_ref.validation.accept.walk import run_stage
 from sss_ref.validation.cause.mishaps import mishaps
 from sss_ref.validation.cause.mutants import Mutant, mutants
-from sss_ref.validation.cause.on_the_way import passages, within
+from sss_ref.validation.cause.on_the_way import changes_on_the_way, within
 
 SAMPLE = 600  # pixels on which explanations are tried
 TELLING = 8  # wrong pixels from which on explanations mean something
@@ -38,12 +40,16 @@ class Hypothesis:
 
 @dataclass(frozen=True)
 class Sample:
-    """Some pixels of a buffer that a stage got wrong, half of them wrong ones."""
+    """A stage at some pixels of a buffer that it got wrong, half of them wrong ones.
 
-    step: Step
+    inputs: what the stage reads, one value for each parameter. got: (N, C). reach: float64 (N, C).
+    """
+
+    stage: Stage
+    inputs: list[Any]
     name: str
-    got: np.ndarray  # (N, C)
-    reach: np.ndarray  # (N, C), float64
+    got: np.ndarray
+    reach: np.ndarray
 
     def share(self, values: Any) -> float:
         """The share of pixels on which these values (N, C) are what was got."""
@@ -51,28 +57,28 @@ class Sample:
             apart = np.abs(np.asarray(values, np.float64) - self.got)
         return float((apart <= self.reach).all(axis=-1).mean())
 
+    @property
+    def given(self) -> dict[str, Any]:
+        """The inputs by the stage's own names."""
+        return dict(zip(self.stage.parameters, self.inputs, strict=True))
+
     def with_inputs(self, changed: Mapping[str, Any], stage: Stage | None = None) -> np.ndarray:
         """What the stage, or another one, gives when inputs, by its own names, are others."""
-        given = {**dict(zip(self.step.stage.parameters, self.step.inputs, strict=True)), **changed}
-        stage = stage or self.step.stage
-        with np.errstate(all="ignore"):
-            results = stage(*(given[own] for own in stage.parameters))
-        return stacked(dict(zip(stage.outputs, results, strict=True))[self.own_name])
+        given, stage = {**self.given, **changed}, stage or self.stage
+        results = stage.run([given[own] for own in stage.parameters])
+        return stacked(results[stage.writes[self.own_name]])
 
     def thinned(self) -> "Sample":
         """Fewer of the pixels."""
-        inputs = [_thinned(value) for value in self.step.inputs]
-        return replace(self, step=replace(self.step, inputs=inputs), got=self.got[::EVERY], reach=self.reach[::EVERY])
+        return replace(self, inputs=list(map(_thinned, self.inputs)), got=self.got[::EVERY], reach=self.reach[::EVERY])
 
     @property
     def own_name(self) -> str:
         """The stage's own name for the buffer."""
-        return next(own for own, name in self.step.stage.writes.items() if name == self.name)
+        return next(own for own, name in self.stage.writes.items() if name == self.name)
 
 
-def hypotheses(
-    check: Check, pass_drawn: Drawn, dumped: Buffers, how: Judgement, others: Mapping[str, Stage]
-) -> list[Hypothesis]:
+def hypotheses(check: Check, drawn: DrawnPass, others: Mapping[str, Stage]) -> list[Hypothesis]:
     """The explanations that fit, the best first; none for so few wrong pixels that nearly all would.
 
     others: all stages by name, to be tried in the place of this one.
@@ -80,10 +86,10 @@ def hypotheses(
     wrong = check.where & ~within(check, check.got, check.expected)
     if wrong.sum() < TELLING:
         return []
-    found = [Hypothesis(text, share) for text, share in passages(check)]
-    if check.stage == RASTERIZER and pass_drawn.visible:
-        found += [Hypothesis(*each) for each in mishaps(pass_drawn.visible, check.buffer, check.got, wrong)]
-    sample = _sample(check, pass_drawn, dumped, how)
+    found = [Hypothesis(text, share) for text, share in changes_on_the_way(check)]
+    if check.stage == RASTERIZER and drawn.visible:
+        found += [Hypothesis(*each) for each in mishaps(drawn.visible, check.buffer, check.got, wrong)]
+    sample = _sample(check, drawn)
     if sample is not None:
         tried = (*_numbers(sample), *_other_stages(sample, others), *_kernels(sample), *_mutants(sample))
         found += [Hypothesis(text, share) for text, share in tried]
@@ -100,31 +106,31 @@ def _thinned(value: Any) -> Any:
     return value[::EVERY] if isinstance(value, np.ndarray) else value
 
 
-def _sample(check: Check, pass_drawn: Drawn, dumped: Buffers, how: Judgement) -> Sample | None:
+def _sample(check: Check, drawn: DrawnPass) -> Sample | None:
     """Half of the sample from the wrong pixels, half from all."""
-    if check.stage not in {stage.name for stage in pass_drawn.work.this_pass.stages}:
+    if check.stage not in {stage.name for stage in drawn.this_pass.stages}:
         return None
     rng = np.random.default_rng(0)
     wrong = np.argwhere(check.where & ~within(check, check.got, check.expected))
     compared = np.argwhere(check.where)
     chosen = [pixels[rng.integers(0, len(pixels), SAMPLE // 2)] for pixels in (wrong, compared)]
     rows, columns = np.concatenate(chosen).T
-    at: Pixels = (rows, columns)
-    step = next(step for step in walk(pass_drawn, at, dumped, how) if check.buffer in step.results)
+    at = (rows, columns)
+    run = run_stage(drawn, at, check.buffer)
     got, reach = (np.atleast_3d(array)[at].astype(np.float64) for array in (check.got, check.reach))
-    return Sample(step, check.buffer, got, reach)
+    return Sample(run.stage, run.inputs, check.buffer, got, reach)
 
 
 def _numbers(sample: Sample) -> Tried:
     """Another value of one uniform number, or of one after the other component of a uniform vector."""
-    for own, value in zip(sample.step.stage.parameters, sample.step.inputs, strict=True):
+    for own, value in sample.given.items():
         parts = [] if isinstance(value, Texture | Array | mat3 | mat4) else components(value)
         if own not in NEVER_WRONG and parts and all(isinstance(part, np.float32) for part in parts):
             found, few = list(parts), sample.thinned()
             for k, part in enumerate(parts):
                 found[k] = np.float32(_fitted(partial(_with_number, few, own, tuple(found), k), part, few))
             share = sample.share(_with_number(sample, own, tuple(found), 0, found[0]))
-            yield f"{sample.step.stage.reads[own]} is {_listed(found)} instead of {_listed(parts)}", share
+            yield f"{sample.stage.reads[own]} is {_listed(found)} instead of {_listed(parts)}", share
 
 
 def _listed(parts: list[Any]) -> str:
@@ -135,7 +141,7 @@ def _listed(parts: list[Any]) -> str:
 def _with_number(sample: Sample, own: str, parts: tuple[Any, ...], k: int, number: np.float32) -> np.ndarray:
     """What the stage gives with one component of a uniform changed."""
     changed = [*parts[:k], number, *parts[k + 1 :]]
-    kind = sample.step.stage.parameters[own]
+    kind = sample.stage.parameters[own]
     return sample.with_inputs({own: changed[0] if len(changed) == 1 else kind(*changed)})
 
 
@@ -163,15 +169,15 @@ def _fitted(compute: Callable[[np.float32], np.ndarray], value: np.float32, samp
 
 def _other_stages(sample: Sample, others: Mapping[str, Stage]) -> Tried:
     """Another of our stages that writes the buffer from the same inputs."""
-    there = set(sample.step.stage.parameters)
+    there = set(sample.stage.parameters)
     for name, stage in others.items():
-        if name != sample.step.stage.name and sample.own_name in stage.outputs and set(stage.parameters) <= there:
+        if name != sample.stage.name and sample.own_name in stage.outputs and set(stage.parameters) <= there:
             yield f"it computes {name}", sample.share(sample.with_inputs({}, stage))
 
 
 def _kernels(sample: Sample) -> Tried:
     """The taps of a kernel turned round."""
-    given = dict(zip(sample.step.stage.parameters, sample.step.inputs, strict=True))
+    given = sample.given
     if isinstance(given.get("tap_offset"), Array):
         offset, weight = given["tap_offset"].data, given["tap_weight"].data
         turned: dict[str, dict[str, np.ndarray]] = {
@@ -194,13 +200,13 @@ def _kernels(sample: Sample) -> Tried:
 def _mutants(sample: Sample) -> Tried:
     """Every mutant of the stage; a mistake that reads beside a texture is passed over."""
     few = sample.thinned()
-    for mutant in mutants(sample.step.stage):
+    for mutant in mutants(sample.stage):
         if _share_of(mutant, few) >= ENOUGH:
             yield mutant.description, _share_of(mutant, sample)
 
 
 def _share_of(mutant: Mutant, sample: Sample) -> float:
     try:
-        return sample.share(stacked(mutant(*sample.step.inputs)[sample.name]))
+        return sample.share(stacked(mutant(*sample.inputs)[sample.name]))
     except (IndexError, ValueError, TypeError):
         return 0.0

@@ -14,7 +14,7 @@ HALF_A_PIXEL = {"right": (1, 0), "left": (-1, 0), "up": (0, 1), "down": (0, -1)}
 DIAGONALS = {
     f"{y} and {x}": (HALF_A_PIXEL[x][0], HALF_A_PIXEL[y][1]) for y in ("up", "down") for x in ("right", "left")
 }
-Drawing = tuple[str, Primitives, Viewport, bool]  # in words, what is drawn, into what, and whether the last one wins
+Redrawn = tuple[str, Primitives, Viewport, bool]  # in words, what is drawn, into what, and whether the last one wins
 
 
 def mishaps(seen: Visible, name: str, got: np.ndarray, wrong: np.ndarray) -> Iterator[tuple[str, float]]:
@@ -31,7 +31,7 @@ def mishaps(seen: Visible, name: str, got: np.ndarray, wrong: np.ndarray) -> Ite
         yield text, float((same[wrong].mean() + same.mean()) / 2)
 
 
-def _drawings(seen: Visible) -> Iterator[Drawing]:
+def _drawings(seen: Visible) -> Iterator[Redrawn]:
     primitives, viewport, layout = seen.boxes.primitives, seen.boxes.viewport, seen.draw.layout
     step, snapped = viewport.step, primitives.snapped
     turn = _turns(primitives)

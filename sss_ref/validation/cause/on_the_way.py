@@ -8,7 +8,7 @@ from sss_ref.validation.accept.rebased import Check
 from sss_ref.validation.verdict.outcomes import distance
 
 
-def passages(check: Check) -> Iterator[tuple[str, float]]:
+def changes_on_the_way(check: Check) -> Iterator[tuple[str, float]]:
     """Every such mishap, and the share of the compared pixels that it explains."""
     flipped = check.where & check.where[::-1]
     yield "its rows are upside down", _share(within(check, check.got[::-1], check.expected), flipped)

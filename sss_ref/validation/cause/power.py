@@ -5,19 +5,17 @@ mistake, on some of the pixels judged, and what it then writes is held against t
 the run would see the error of a processor that otherwise computes as the oracle does.
 """
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
 import numpy as np
 
-from sss_ref.language.pipeline import Pass
 from sss_ref.language.types import Array, Texture, Vector, components, mat3, mat4
-from sss_ref.rendering.result import Result
-from sss_ref.validation.accept.acceptance import acceptance_of
-from sss_ref.validation.accept.drawn import Buffers, Drawn, Rebased, Seen, stacked
-from sss_ref.validation.accept.rebased import Judgement, Step, walk
+from sss_ref.validation.accept.case import Case, DrawnPass
+from sss_ref.validation.accept.known import stacked
+from sss_ref.validation.accept.walk import StageRun, walk
 from sss_ref.validation.cause.hypotheses import NEVER_WRONG
 from sss_ref.validation.cause.mutants import Mutant, mutants
 from sss_ref.validation.verdict.outcomes import distance
@@ -67,7 +65,7 @@ class Trial:
     expected, reach: judged buffer -> (N, C).
     """
 
-    step: Step
+    run: StageRun
     expected: Mapping[str, np.ndarray]
     reach: Mapping[str, np.ndarray]
 
@@ -86,50 +84,43 @@ class Trial:
         )
 
 
-def power(
-    oracle: Result, judged: Mapping[str, np.ndarray], how: Judgement, seen: Seen | None = None
-) -> Iterator[Power]:
+def power(case: Case, judged: Mapping[str, np.ndarray]) -> Iterator[Power]:
     """What would be seen of each stage whose buffers are judged.
 
-    judged: buffer -> its compared pixels, bool (H, W). seen: what rasterizers may show.
+    judged: buffer -> its compared pixels, bool (H, W).
     """
-    dumped = {name: oracle[name] for name in judged if name in oracle.buffers}
-    rendering = Rebased(oracle, oracle.buffers, how.profile, seen)
-    for one in oracle.scene.method.passes:
-        if not one.fed_back and set(one.outputs) - set(one.draw.outputs) & set(judged):
-            for trial in _trials(rendering.drawn(one), one, dumped, judged, how):
-                yield _power_of(trial)
+    oracle = case.oracle
+    handed_on = replace(case.drawing, buffers={name: oracle[name] for name in judged if name in oracle.buffers})
+    for this_pass in oracle.scene.method.passes:
+        own = [name for name in this_pass.outputs if name in judged and name not in this_pass.draw.outputs]
+        if own and not this_pass.fed_back and judged[own[0]].any():
+            drawn = replace(case.of_oracle.drawn(this_pass), drawing=handed_on)
+            yield from map(_power_of, _trials(drawn, own, judged[own[0]]))
 
 
-def _trials(
-    pass_drawn: Drawn, one: Pass, dumped: Buffers, judged: Mapping[str, np.ndarray], how: Judgement
-) -> Iterator[Trial]:
-    """Every stage of a pass that writes judged buffers, on a sample of their pixels."""
-    own = [name for name in one.outputs if name in judged and name not in one.draw.outputs]
-    pixels = np.argwhere(judged[own[0]])
-    if not len(pixels):
-        return
+def _trials(drawn: DrawnPass, own: Sequence[str], where: np.ndarray) -> Iterator[Trial]:
+    """Every stage of a pass that writes one of these buffers, on a sample of the pixels of a mask, bool (H, W)."""
+    pixels = np.argwhere(where)
     chosen = pixels[np.random.default_rng(0).integers(0, len(pixels), min(SAMPLE, len(pixels)))]
-    for step in walk(pass_drawn, (chosen[:, 0], chosen[:, 1]), dumped, how):
+    for run in walk(drawn, (chosen[:, 0], chosen[:, 1])):
         expected, reach = {}, {}
-        for name in (name for name in step.results if name in own):
-            expected[name] = stacked(step.results[name])
-            reach[name] = acceptance_of(expected[name], *step.accepted[name])[0]
-            held = how.before(name, expected[name])
+        for name in (name for name in run.written if name in own):
+            expected[name], reach[name] = run.written[name].columns, run.written[name].reach
+            held = drawn.drawing.before(name, expected[name])
             reach[name] += np.maximum(held.high - expected[name], expected[name] - held.low)
         if expected:
-            yield Trial(step, expected, reach)
+            yield Trial(run, expected, reach)
 
 
 def _power_of(trial: Trial) -> Power:
     """Both tries of one stage."""
-    stage = trial.step.stage
+    stage = trial.run.stage
     changing, unseen = 0, []
     for mutant in _some(list(mutants(stage))):
-        written = _run(mutant, trial.step.inputs)
-        if written is not None and trial.changes(written):
+        mistaken = _with_mistake(mutant, trial.run.inputs)
+        if mistaken is not None and trial.changes(mistaken):
             changing += 1
-            if not trial.sees(written):
+            if not trial.sees(mistaken):
                 unseen.append(mutant.description)
     return Power(stage.name, tuple(_numbers(trial)), changing, changing - len(unseen), tuple(unseen))
 
@@ -142,7 +133,7 @@ def _some(all_mutants: list[Mutant]) -> list[Mutant]:
     return [all_mutants[index] for index in sorted(chosen.tolist())]
 
 
-def _run(mutant: Mutant, inputs: list[Any]) -> dict[str, Any] | None:
+def _with_mistake(mutant: Mutant, inputs: list[Any]) -> dict[str, Any] | None:
     """What a mutant writes; None where it reads beside a texture or array."""
     try:
         return mutant(*inputs)
@@ -152,8 +143,8 @@ def _run(mutant: Mutant, inputs: list[Any]) -> dict[str, Any] | None:
 
 def _numbers(trial: Trial) -> Iterator[Sensitivity]:
     """The least change of every uniform that holds numbers; of a vector or an array as a whole."""
-    stage = trial.step.stage
-    for position, (own, value) in enumerate(zip(stage.parameters, trial.step.inputs, strict=True)):
+    stage = trial.run.stage
+    for position, (own, value) in enumerate(zip(stage.parameters, trial.run.inputs, strict=True)):
         if _is_number(value) and own not in NEVER_WRONG:
             relative = _size(value) > 0
             sees = partial(_sees_change, trial, position, relative)
@@ -174,11 +165,9 @@ def _size(value: Any) -> float:
 
 def _sees_change(trial: Trial, position: int, relative: bool, change: float) -> bool:
     """Whether an error of this size in one input would be seen."""
-    inputs = list(trial.step.inputs)
+    inputs = list(trial.run.inputs)
     inputs[position] = _changed(inputs[position], change, relative)
-    stage = trial.step.stage
-    with np.errstate(all="ignore"):
-        return trial.sees(dict(zip(stage.writes.values(), stage(*inputs), strict=True)))
+    return trial.sees(trial.run.stage.run(inputs))
 
 
 def _changed(value: Any, change: float, relative: bool) -> Any:

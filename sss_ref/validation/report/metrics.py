@@ -19,7 +19,7 @@ from sss_ref.errors.wording import told
 from sss_ref.pictures.channels import channel_names
 from sss_ref.pictures.png_file import encoding_of
 from sss_ref.rendering.result import Result
-from sss_ref.validation.accept.drawn import Buffers
+from sss_ref.validation.accept.dumped import Buffers
 
 PACKAGES = {"skimage": "scikit-image", "flip_evaluator": "flip-evaluator"}  # module -> its package
 PROCESS = Path(__file__).with_name("flip_process.py")

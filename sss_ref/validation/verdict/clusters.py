@@ -9,7 +9,7 @@ import numpy as np
 from sss_ref.language.pipeline import Pass
 from sss_ref.rendering.draw import Machine, draw
 from sss_ref.rendering.result import Result
-from sss_ref.validation.accept.drawn import Buffers
+from sss_ref.validation.accept.dumped import Buffers
 
 SHADOW = "directly_lit"  # the buffers that say what lies in shadow begin with it
 EVERYWHERE = 0.9  # of the compared pixels
@@ -35,7 +35,7 @@ class Clusters:
 
 
 @dataclass
-class Places:
+class Whereabouts:
     """What the oracle shows at each pixel of a pass's target. oracle: the rendering. dumped: what is judged."""
 
     oracle: Result
@@ -47,13 +47,13 @@ class Places:
 
         Of a full-screen pass those of the last draw of the mesh into a target of its size.
         """
-        one = self._mesh_pass(pass_name)
-        if one.name not in self._shown:
-            fragments = draw(self.oracle.scene, one, self.oracle.buffers, Machine()).fragments
+        this_pass = self._mesh_pass(pass_name)
+        if this_pass.name not in self._shown:
+            fragments = draw(self.oracle.scene, this_pass, self.oracle.buffers, Machine()).fragments
             assert fragments.piece is not None and fragments.primitives is not None
             shown = fragments.primitives.triangle[fragments.piece]
-            self._shown[one.name] = np.where(fragments.piece >= 0, shown, np.int32(-1))
-        return self._shown[one.name]
+            self._shown[this_pass.name] = np.where(fragments.piece >= 0, shown, np.int32(-1))
+        return self._shown[this_pass.name]
 
     def at(self, pass_name: str, pixel: tuple[int, int]) -> tuple[int, ...]:
         """The triangle at a pixel (column, row), and that of the dump if it shows another one; -1 is none."""

@@ -22,7 +22,7 @@ def suspects(method: Method, pass_name: str, buffer: str, dumped: Collection[str
     A stage is handed what was dumped, and that is right as far as it was judged. What was not dumped comes from the
     stage that writes it, which may be wrong itself, or have been handed something wrong in the same way.
     """
-    writers = [(one.name, writer) for one in method.passes for writer in _writers(one)]
+    writers = [(each.name, writer) for each in method.passes for writer in _writers(each)]
     last = next(k for k, (name, writer) in enumerate(writers) if name == pass_name and buffer in writer.writes)
     found, unseen = [], frozenset({buffer})
     for _, writer in reversed(writers[: last + 1]):
@@ -32,16 +32,16 @@ def suspects(method: Method, pass_name: str, buffer: str, dumped: Collection[str
     return tuple(reversed(dict.fromkeys(found)))
 
 
-def _writers(one: Pass) -> Iterator[Writer]:
+def _writers(this_pass: Pass) -> Iterator[Writer]:
     """Whatever writes something in a pass, in order."""
-    draw = one.draw
+    draw = this_pass.draw
     for vertex in draw.vertex_stages:
-        yield _writer(one, vertex.name, draw.reads, {CLIP_POSITION, *draw.varyings})
-        yield _writer(one, RASTERIZER, {CLIP_POSITION}, draw.outputs)
-    for stage in one.stages:
+        yield _writer(this_pass, vertex.name, draw.reads, {CLIP_POSITION, *draw.varyings})
+        yield _writer(this_pass, RASTERIZER, {CLIP_POSITION}, draw.outputs)
+    for stage in this_pass.stages:
         reads = {*stage.reads.values()}
-        yield _writer(one, stage.name, reads | draw.covered_by(reads), stage.writes.values())
+        yield _writer(this_pass, stage.name, reads | draw.covered_by(reads), stage.writes.values())
 
 
-def _writer(one: Pass, stage: str, reads: Collection[str], writes: Collection[str]) -> Writer:
-    return Writer(f"{one.name}/{stage}", frozenset(reads), frozenset(writes))
+def _writer(this_pass: Pass, stage: str, reads: Collection[str], writes: Collection[str]) -> Writer:
+    return Writer(f"{this_pass.name}/{stage}", frozenset(reads), frozenset(writes))

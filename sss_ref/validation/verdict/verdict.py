@@ -6,7 +6,7 @@ import numpy as np
 
 from sss_ref.results.diff import ULP_CLASSES, ulp_class
 from sss_ref.validation.accept.rebased import Check
-from sss_ref.validation.verdict.clusters import Clusters, Places
+from sss_ref.validation.verdict.clusters import Clusters, Whereabouts
 from sss_ref.validation.verdict.outcomes import AMBIGUOUS, FAIL, UNBOUNDED, UNDEFINED, Compared, compared, distance
 from sss_ref.validation.verdict.widths import Widths, in_ulps, widths_of
 
@@ -86,7 +86,7 @@ class Verdict:
         return self.compared > self.undefined and not self.failing
 
 
-def judged(check: Check, places: Places) -> Verdict:
+def judged(check: Check, whereabouts: Whereabouts) -> Verdict:
     """The verdict on one buffer."""
     pixels = compared(check)
     defined, wrong = pixels.outcome != UNDEFINED, pixels.outcome == FAIL
@@ -103,7 +103,7 @@ def judged(check: Check, places: Places) -> Verdict:
         ulps=_ulps_off(pixels),
         widths=widths_of(pixels.expected[defined], pixels.reach[defined]),
     )
-    return _with_wrong_pixels(verdict, check, pixels, places) if wrong.any() else verdict
+    return _with_wrong_pixels(verdict, check, pixels, whereabouts) if wrong.any() else verdict
 
 
 def _ulps_off(pixels: Compared) -> tuple[int, ...]:
@@ -114,18 +114,18 @@ def _ulps_off(pixels: Compared) -> tuple[int, ...]:
     return tuple(counts.tolist())
 
 
-def _with_wrong_pixels(verdict: Verdict, check: Check, pixels: Compared, places: Places) -> Verdict:
+def _with_wrong_pixels(verdict: Verdict, check: Check, pixels: Compared, whereabouts: Whereabouts) -> Verdict:
     """The verdict with its first and worst wrong pixels, and where all of them lie."""
     wrong = np.flatnonzero(pixels.outcome == FAIL)
     beyond = _beyond(pixels, wrong).max(axis=-1)
-    first, worst = (_wrong_pixel(check, pixels, index, places) for index in (wrong[0], wrong[beyond.argmax()]))
+    first, worst = (_wrong_pixel(check, pixels, index, whereabouts) for index in (wrong[0], wrong[beyond.argmax()]))
     where = np.zeros(check.where.shape, bool)
     where[check.where] = pixels.outcome == FAIL
-    clusters = places.clusters(check.pass_name, check.where, where)
+    clusters = whereabouts.clusters(check.pass_name, check.where, where)
     return replace(verdict, first=first, worst=worst, clusters=clusters)
 
 
-def _wrong_pixel(check: Check, pixels: Compared, index: int, places: Places) -> WrongPixel:
+def _wrong_pixel(check: Check, pixels: Compared, index: int, whereabouts: Whereabouts) -> WrongPixel:
     """One of the compared pixels."""
     row, column = np.argwhere(check.where)[index].tolist()
     at = np.array([index])
@@ -135,7 +135,7 @@ def _wrong_pixel(check: Check, pixels: Compared, index: int, places: Places) -> 
         widths = np.where(beyond > 0, beyond / (2 * pixels.reach[at]), 0.0)
     values = _shown(pixels.got[index]), _shown(pixels.expected[index])
     return WrongPixel(
-        (column, row), *values, places.at(check.pass_name, (column, row)), float(ulps.max()), float(widths.max())
+        (column, row), *values, whereabouts.at(check.pass_name, (column, row)), float(ulps.max()), float(widths.max())
     )
 
 

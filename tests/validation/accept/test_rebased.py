@@ -9,7 +9,7 @@ from scenes import LIGHT, around, sphere, two_slabs, written
 from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
-from sss_ref.validation.accept import drawn as passes_drawn
+from sss_ref.validation.accept import case
 from sss_ref.validation.accept.rebased import RASTERIZER
 from sss_ref.validation.stage_by_stage import validate
 
@@ -163,8 +163,8 @@ def test_a_draw_that_no_dump_can_change_is_done_once(bodies, monkeypatch, preset
     """The chained bounds and the rebased checks share it; where vertices read a buffer, each has its own."""
     tables = {"preset": preset, "irradiance_map": {"width": 64, "height": 64}}
     oracle = drawn(load_scene(around(bodies["sphere"], 64, **tables)))
-    done, visible = [], passes_drawn.visible
-    monkeypatch.setattr(passes_drawn, "visible", lambda *given: done.append(1) or visible(*given))
+    done, visible = [], case.visible
+    monkeypatch.setattr(case, "visible", lambda *given: done.append(1) or visible(*given))
     assert verdict_on(oracle.buffers, oracle).passed
     assert len(done) == draws
 

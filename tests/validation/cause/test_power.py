@@ -7,7 +7,8 @@ from scenes import around, two_slabs, written
 from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
-from sss_ref.validation.accept.rebased import Judgement
+from sss_ref.validation.accept.case import Case
+from sss_ref.validation.accept.dumped import Drawing
 from sss_ref.validation.cause.power import power
 from sss_ref.validation.stage_by_stage import validate
 
@@ -78,12 +79,16 @@ def test_it_is_told_of_a_failing_run_too(oracle, report):
 
 
 def test_a_wider_profile_sees_less(oracle, report):
-    wide = {each.stage: each for each in power(oracle, judged_pixels(oracle), Judgement(PROFILES["mediump"]))}
+    wide = {each.stage: each for each in power(case_of(oracle, "mediump"), judged_pixels(oracle))}
     for one in (each for each in report.power if each.stage in ("phong_shading", "translucency_ratio")):
         for narrow, other in zip(one.numbers, wide[one.stage].numbers, strict=True):
             assert other.change is None or narrow.change is None or other.change >= narrow.change
     exponent = next(each for each in wide["translucency_ratio"].numbers if each.name == "exponent")
     assert exponent.change > 100 * sensitivity(report, "translucency_ratio", "exponent").change
+
+
+def case_of(oracle, profile, stored=()):
+    return Case(oracle, Drawing({}, dict(stored)), PROFILES[profile])
 
 
 def judged_pixels(oracle):
@@ -93,8 +98,8 @@ def judged_pixels(oracle):
 
 def test_a_coarse_texture_sees_less(oracle):
     fine, coarse = (
-        next(each for each in power(oracle, {"translucency": oracle["coverage"] != 0}, how).__next__().numbers)
-        for how in (Judgement(PROFILES["vulkan"]), Judgement(PROFILES["vulkan"], {"translucency": "float16"}))
+        next(power(case_of(oracle, "vulkan", stored), {"translucency": oracle["coverage"] != 0})).numbers[0]
+        for stored in ({}, {"translucency": "float16"})
     )
     assert coarse.change > 20 * fine.change
 

@@ -7,7 +7,7 @@ from scenes import around, sphere, two_slabs, written
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.stage_by_stage import validate
-from sss_ref.validation.verdict.clusters import Places, Zone, _sentence
+from sss_ref.validation.verdict.clusters import Whereabouts, Zone, _sentence
 
 
 def rendered(path, method="screen_space"):
@@ -43,10 +43,10 @@ def wrong_where(oracle, chosen, buffer="phong"):
 
 
 def test_triangles_of_a_pass_and_of_those_that_follow_it(slabs, ball):
-    assert np.array_equal(Places(slabs, {}).triangles("camera"), slabs["triangle"])
-    assert np.array_equal(Places(slabs, {}).triangles("blur"), slabs["triangle"])
-    assert np.array_equal(Places(slabs, {}).triangles("shadow_map"), slabs["light_triangle"])
-    layout = Places(ball, {}).triangles("irradiance_map" if "irradiance_map" in ball.timings else "irradiance")
+    assert np.array_equal(Whereabouts(slabs, {}).triangles("camera"), slabs["triangle"])
+    assert np.array_equal(Whereabouts(slabs, {}).triangles("blur"), slabs["triangle"])
+    assert np.array_equal(Whereabouts(slabs, {}).triangles("shadow_map"), slabs["light_triangle"])
+    layout = Whereabouts(ball, {}).triangles("irradiance_map" if "irradiance_map" in ball.timings else "irradiance")
     assert np.array_equal(layout >= 0, ball["irradiance_mask"] != 0)
 
 
@@ -62,7 +62,7 @@ def test_zones_are_those_of_a_naive_loop(slabs):
         "where directly_lit is 0": covered & ~lit,
         "where directly_lit is 1": lit,
     }
-    found = Places(slabs, {}).clusters("camera", covered, wrong)
+    found = Whereabouts(slabs, {}).clusters("camera", covered, wrong)
     counted = {zone.name: (zone.wrong, zone.compared) for zone in found.zones}
     assert counted == {
         name: (int((zone & wrong).sum()), int((zone & covered).sum())) for name, zone in expected.items()

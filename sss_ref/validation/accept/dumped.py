@@ -1,0 +1,57 @@
+"""What another implementation drew, and what its files tell of what its shaders wrote and read."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from sss_ref.dump.loss import EXACT, Loss, loss_of
+from sss_ref.interpret.intervals.value_sets import componentwise
+from sss_ref.interpret.work import buffer_value
+from sss_ref.numerics.interval import Interval
+from sss_ref.validation.accept.known import Known, KnownBuffer, Pixels
+from sss_ref.validation.accept.storage import before_storage
+
+Buffers = Mapping[str, np.ndarray]
+Stored = Mapping[str, str | Loss]  # buffer -> its storage, of those that are not in float32
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What another implementation drew.
+
+    buffers: name -> array as in `Result`. stored: buffer -> the storage of its file, where that is less than float32.
+    rounded: buffer -> the storage of its texture, where the file has fewer bits. device: what drew it, in its words.
+    """
+
+    buffers: Buffers
+    stored: Stored = field(default_factory=dict)
+    rounded: Stored = field(default_factory=dict)
+    device: str | None = None
+
+    @property
+    def coarse(self) -> "Drawing":
+        """The same, with no storages but those that round."""
+        return replace(self, stored={name: each for name, each in self.stored.items() if loss_of(each) != EXACT})
+
+    def before(self, name: str, held: np.ndarray) -> Interval:
+        """All that may have been computed, float64, where the dump of a buffer holds this: texture and file round."""
+        file = before_storage(self.stored.get(name, "float32"), held)
+        texture = self.rounded.get(name, "float32")
+        return Interval(before_storage(texture, file.low).low, before_storage(texture, file.high).high)
+
+    def as_read(self, name: str, buffer: np.ndarray) -> KnownBuffer:
+        """A buffer as a shader read it: exactly, unless its file has fewer bits than the texture had."""
+        if name not in self.rounded:
+            return KnownBuffer.exactly(buffer)
+        held = before_storage(self.stored.get(name, "float32"), buffer)
+        return replace(KnownBuffer.exactly(buffer), low=held.low, high=held.high)
+
+    def handed_on(self, name: str, kind: Any, at: Pixels) -> Known:
+        """A dumped value as the next stage of its pass got it, before any texture or file rounded it."""
+        held = buffer_value(kind, self.buffers[name], *at)
+        if name in self.stored:
+            return Known(held, componentwise(partial(self.before, name), held))
+        return Known.exactly(held)
