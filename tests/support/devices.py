@@ -8,7 +8,7 @@ from sss_ref.raster.primitives import drawable, place
 from sss_ref.raster.primitives import only as primitives_only
 from sss_ref.raster.rasterize import visibility
 from sss_ref.rendering.draw import Machine, Sketch, draw, varying_columns, vertices
-from sss_ref.rendering.fold import run
+from sss_ref.rendering.fold import shaded
 
 
 class Device:
@@ -38,7 +38,7 @@ class Device:
         wanted, buffers = set(self.scene.method.outputs), {}
         for one in self.scene.method.only(wanted).passes:
             sketch = self.draw(one, buffers)
-            buffers |= sketch.written | run(self.scene, one, sketch, buffers, wanted, self.machine)
+            buffers |= sketch.written | shaded(self.scene, one, sketch, buffers, wanted, self.machine)
         return {name: buffers[name] for name in self.scene.method.outputs}
 
 
