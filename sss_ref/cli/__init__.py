@@ -12,6 +12,7 @@ from sss_ref.cli.shader_commands import bundle, glsl, webgl
 from sss_ref.cli.validating import validate
 from sss_ref.errors import SssRefError
 
+MAPPING = "Print a mapping file to edit, with every buffer of a scene; its help explains every key."
 PURPOSE = "The CPU reference for real-time subsurface scattering."
 
 
@@ -24,6 +25,7 @@ def _version() -> str:
 app = App(name="sss-ref", help=PURPOSE, version=_version, result_action="return_value")
 for command in (render, verify, diff, explain, glsl, bundle, webgl, validate, info, scenes, warmup):
     app.command(command)
+app.command("sss_ref.cli.mapping_command:mapping", name="mapping", help=MAPPING)  # loaded when asked for
 
 
 def main(tokens: list[str] | None = None) -> int:
