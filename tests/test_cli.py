@@ -105,7 +105,7 @@ def test_verify_tells_a_difference_by_its_exit_code(out, capsys, monkeypatch):
 @pytest.mark.parametrize(
     "arguments, message",
     [
-        (["render", "nowhere"], "error: nowhere: expected a scene file or a shipped scene (default, uncommented), got"),
+        (["render", "nowhere"], "nowhere: expected a scene file, a bundle or a shipped scene (default, uncommented)"),
         (["render", "--set", "camera.widht=3"], "override: camera.widht: expected a known key, got this one; did"),
         (["render", "--set", "camera.width"], "--set: expected key.path=value, got 'camera.width'; write it as"),
         (["render", "--set", "=3"], "--set: expected key.path=value, got '=3'"),
@@ -160,19 +160,6 @@ def test_warnings_go_to_stderr(out, capsys):
     assert main(["render", "-o", str(out), "--interpreter", "arrays", *inside]) == 0
     told = capsys.readouterr()
     assert told.err.startswith("warning: camera: it is inside the mesh") and "inside the mesh" not in told.out
-
-
-def test_warnings_come_before_the_folder_is_written(out, monkeypatch, capsys):
-    from sss_ref.results import folder
-
-    told = []
-    monkeypatch.setattr(folder, "save", lambda *_: told.append(capsys.readouterr().err) or out)
-    small = [each for key in ("width=8", "height=8", "far=1.0") for each in ("--set", f"camera.{key}")]
-    assert main(["render", "-o", str(out), "--interpreter", "arrays", *small]) == 0
-    assert told[0].splitlines() == [
-        "warning: camera: the whole mesh lies beyond far = 1, from 2 on; set camera.far = 3.3",
-        "warning: camera: nothing of the mesh is drawn",
-    ]
 
 
 def test_scenes_are_listed_with_their_first_comment(capsys):

@@ -14,7 +14,8 @@ Method `{method}`, preset `{preset}`, mesh `{mesh}`; every number is in the file
 | `textures/*.npy` | pictures (H, W, 3) and arrays too long for a uniform, row 0 at the bottom |
 | `passes.json` | the passes in order: size, draw, what they read, targets with format and clear value |
 | `shaders/` | GLSL 4.0: PASS.vert, and a .frag for every draw of at most eight targets |
-| `scene.json` | the scene with every key filled |
+| `scene.json` | the scene with every key filled; with it this folder is a scene to `sss-ref`, wherever it lies |
+| `mapping.toml` | a mapping file to copy into a dump and edit, with every buffer and every key |
 
 ## Passes
 {passes}
@@ -22,7 +23,7 @@ Method `{method}`, preset `{preset}`, mesh `{mesh}`; every number is in the file
 ## Conventions
 - Clip space is OpenGL's, -w <= x, y, z <= w; window depth 0.5*z/w + 0.5, cleared to 1. Nothing is culled or blended.
 - Textures have row 0 at the bottom; texel (i, j) has its centre at ((i + 0.5)/W, (j + 0.5)/H). With y pointing down
-  (Direct3D, Vulkan) flip the viewport, or flip rows when you dump; `validate --origin top` takes flipped dumps.
+  (Direct3D, Vulkan, Metal, WebGPU) mirror the clip position, or the rows of what you dump; see docs/how_to/y_down.md.
 - Every texture is read by texelFetch; filters are written in the shaders. Textures with the names of buffers are the
   targets of earlier passes.
 - OpenGL stores matrices column by column: transpose, or let glUniformMatrix do it.
@@ -32,12 +33,14 @@ Method `{method}`, preset `{preset}`, mesh `{mesh}`; every number is in the file
 - `rectangle` with `discards_where_0`: the fragment shader discards where that buffer is 0 (a stencil does as well).
 
 ## Is it right?
-Write every target as an .npy, .exr or .dds file named after its buffer into one folder and ask
+Write every target as an .npy, .exr or .dds file named after its buffer into one folder, `dump` beside this one, and ask
+here
 
-    sss-ref validate {source} FOLDER
+    sss-ref validate . ../dump
 
-which names the first stage that is wrong. Keep targets in float32 while you look for an error: what a narrower format
-loses is told apart only if the mapping file says so.
+or anywhere with the paths of both folders. It names the first stage that is wrong. This folder holds the scene with all
+that was set when it was written, so nothing has to be set again. Keep targets in float32 while you look for an error:
+what a narrower format loses is told apart only if the mapping file says so.
 """
 
 
@@ -53,7 +56,6 @@ def guide(scene: Scene) -> str:
     return TEXT.format(
         method=scene.method.name,
         preset=scene.settings.preset,
-        source=scene.source,
         mesh=scene.mesh.name,
         passes="\n".join(listed),
         array_width=ARRAY_WIDTH,

@@ -8,15 +8,19 @@ from typing import Any, get_args, get_origin
 import numpy as np
 
 from sss_ref.bundle.porting import guide
+from sss_ref.dump.mapping_template import mapping_template
 from sss_ref.interpret.shader import ARRAY_WIDTH, array_lengths, draws, shader_files
 from sss_ref.language.layout import CHANNELS
 from sss_ref.language.pipeline import Method, Pass
 from sss_ref.language.types import Array, Texture, vec2, vec3
 from sss_ref.language.typing_rules import type_name
+from sss_ref.mesh.array_folder import write_arrays
 from sss_ref.passes.buffers import described
 from sss_ref.results.whole_folder import appearing, writable
 from sss_ref.rules import RULES_VERSION
 from sss_ref.scene.scene import Scene
+from sss_ref.scene_file.bundled import FILE_NAME, PICTURE, bundle_record
+from sss_ref.scene_file.color_texture import srgb_decoded
 
 FORMAT = "sss_ref bundle 1"
 FORMATS = {float: "R32F", vec2: "RG32F", vec3: "RGB32F", int: "R32I", bool: "R8UI"}  # of what a shader writes
@@ -26,7 +30,8 @@ def write_bundle(scene: Scene, folder: Path) -> Path:
     """Write the bundle of a scene, which appears whole or not at all; returns the folder.
 
     mesh.glb to look at, and mesh/*.npy with the exact arrays; uniforms.json, with textures/*.npy; passes.json;
-    shaders/*; scene.json, the scene with all its keys; PORTING.md, which explains the rest.
+    shaders/*; scene.json, the scene with all its keys, which makes the folder a scene to `load_scene`; mapping.toml, a
+    mapping file to edit; PORTING.md, which explains the rest.
     Raises DumpError for a folder that cannot be written or is somebody else's.
     """
     folder = writable(folder, _is_bundle, "an earlier bundle")
@@ -35,10 +40,12 @@ def write_bundle(scene: Scene, folder: Path) -> Path:
         _write_mesh(scene, part)
         _write_json(part / "uniforms.json", _uniforms(values, method, part))
         _write_json(part / "passes.json", _passes(scene))
-        _write_json(part / "scene.json", scene.settings.model_dump(mode="json"))
+        record = bundle_record(scene.settings, scene.source, scene.own_stages)
+        _write_json(part / FILE_NAME, record.model_dump(mode="json"))
         (part / "shaders").mkdir()
         for name, text in shader_files(method, array_lengths(values)).items():
             (part / "shaders" / name).write_text(text, encoding="utf-8")
+        (part / "mapping.toml").write_text(mapping_template(scene), encoding="utf-8")
         (part / "PORTING.md").write_text(guide(scene), encoding="utf-8")
     return folder
 
@@ -60,9 +67,7 @@ def _write_mesh(scene: Scene, folder: Path) -> None:
 
     mesh = scene.mesh
     (folder / "mesh").mkdir()
-    for name, array in mesh.attributes.items():
-        np.save(folder / "mesh" / f"{name}.npy", array)
-    np.save(folder / "mesh" / "triangles.npy", mesh.triangles)
+    write_arrays(mesh, folder / "mesh")
     visual = trimesh.visual.TextureVisuals(uv=mesh.attributes["uv"])
     exported = trimesh.Trimesh(
         mesh.positions, mesh.triangles, vertex_normals=mesh.normals, visual=visual, process=False
@@ -73,6 +78,7 @@ def _write_mesh(scene: Scene, folder: Path) -> None:
 def _uniforms(values: Mapping[str, Any], method: Method, folder: Path) -> dict[str, Any]:
     """Every uniform that a shader reads: its type and value, or the file of a texture. Matrices are row by row."""
     (folder / "textures").mkdir()
+    _write_picture(values.get("albedo_map"), folder / PICTURE)
     short, found = array_lengths(values), {}
     for name, kind in sorted(_reads(method).items()):
         value = values[name]
@@ -83,6 +89,14 @@ def _uniforms(values: Mapping[str, Any], method: Method, folder: Path) -> dict[s
         else:
             found[name] = {"type": type_name(kind), "value": _plain(value)}
     return found
+
+
+def _write_picture(texels: np.ndarray | None, path: Path) -> None:
+    """The codes that a picture's texels (H, W, 3) were decoded from: reading it again gives the same bits."""
+    from PIL import Image
+
+    if texels is not None:
+        Image.fromarray(np.searchsorted(srgb_decoded(), texels[::-1]).astype(np.uint8)).save(path)
 
 
 def _reads(method: Method) -> dict[str, Any]:

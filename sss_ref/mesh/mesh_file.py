@@ -6,6 +6,7 @@ order. It numbers the triangles in every buffer.
 
 from pathlib import Path
 
+from sss_ref.mesh.array_folder import is_array_folder, read_arrays
 from sss_ref.mesh.gltf.gltf_reader import read_gltf
 from sss_ref.mesh.joining import joined
 from sss_ref.mesh.part import refused
@@ -16,11 +17,13 @@ from sss_ref.scene_file.shipped import MESH_SUFFIXES
 
 
 def load_mesh(path: Path) -> Mesh:
-    """The mesh in the OBJ, PLY, STL, OFF, glTF or GLB file at `path`.
+    """The mesh in the OBJ, PLY, STL, OFF, glTF or GLB file at `path`, or in a folder of arrays, as a bundle has it.
 
     Whether its normals are the file's, `normals_source` says; `notes` say what of the file was changed or not used.
     Raises MeshError for anything that cannot be drawn.
     """
+    if is_array_folder(path):
+        return read_arrays(path)
     _check_file(path)
     read = read_polygon_file if path.suffix.lower() in READERS else read_gltf
     return joined(path, read(path))

@@ -16,7 +16,8 @@ from sss_ref.rendering.result import Result
 from sss_ref.rendering.samples import SampledResult
 from sss_ref.rules import RULES_VERSION
 from sss_ref.scene.scene import Scene
-from sss_ref.scene_file.shipped import find_mesh, scene_names, scene_path
+from sss_ref.scene_file.reading import folder_of
+from sss_ref.scene_file.shipped import find_mesh
 
 FILE_NAME = "manifest.json"
 FORMAT: Final = "sss_ref result"
@@ -150,7 +151,7 @@ def _record(result: Result, name: str) -> BufferRecord:
 def _scene_record(scene: Scene) -> SceneRecord:
     """The scene, and where its loader found the mesh and the texture; the mesh as written if it is gone since."""
     named, texture = scene.settings.mesh.path, scene.settings.mesh.texture
-    folder = (scene_path(scene.source) if scene.source in scene_names() else Path(scene.source)).parent
+    folder = folder_of(scene.source)
     return SceneRecord(
         source=scene.source,
         mesh_file=str((find_mesh(named, folder) or Path(named)).absolute()),

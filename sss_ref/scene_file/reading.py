@@ -12,6 +12,7 @@ from pydantic import BaseModel, ValidationError
 from sss_ref.errors import SceneError
 from sss_ref.errors.wording import KeyPath, described, told
 from sss_ref.scene_file import settings, viewpoints
+from sss_ref.scene_file.bundled import bundled_settings, is_bundle
 from sss_ref.scene_file.layers import filled, is_overridden, overridden, override_paths
 from sss_ref.scene_file.presets import misfits
 from sss_ref.scene_file.shipped import scene_names, scene_path
@@ -40,15 +41,26 @@ class Document:
     data: Mapping[str, Any]
     source: str  # what error messages call it
     folder: Path  # what its paths are relative to
+    preset: str | None = None  # of a bundle: the one that has filled all of its keys
 
 
 def opened(scene: str | os.PathLike[str] | Mapping[str, Any]) -> Document:
-    """The document of a path, of a shipped scene's name, or of a dictionary that was parsed already."""
+    """The document of a path, of a shipped scene's name, of a bundle, or of a dictionary that was parsed already."""
     if isinstance(scene, Mapping):
         return Document(scene, "scene", Path())
     name = os.fspath(scene)
-    path = scene_path(name) if name in scene_names() else Path(name)
-    return Document(_parsed(path, name), name, path.parent)
+    folder = folder_of(name)
+    if is_bundle(name):
+        data = bundled_settings(folder)
+        return Document(data, name, folder, data.get("preset"))
+    return Document(_parsed(scene_path(name) if name in scene_names() else Path(name), name), name, folder)
+
+
+def folder_of(source: str) -> Path:
+    """What the paths in a scene are relative to. source: a file, a shipped scene's name, or a bundle's folder."""
+    if is_bundle(source):
+        return Path(source)
+    return (scene_path(source) if source in scene_names() else Path(source)).parent
 
 
 def validated(
@@ -62,7 +74,7 @@ def validated(
     """
     given, misplaced = overridden(document.data, overrides)
     data, paths = filled(given), override_paths(overrides)
-    problems = [f"override: {problem}" for problem in misplaced]
+    problems = [f"override: {problem}" for problem in (*misplaced, *_other_preset(document, given))]
     try:
         result = settings.SceneFile.model_validate(
             data, context={"folder": document.folder, "check_memory": check_memory}
@@ -75,11 +87,19 @@ def validated(
     return result
 
 
+def _other_preset(document: Document, given: Mapping[str, Any]) -> list[str]:
+    """What is wrong with a preset for a bundle: it would fill nothing."""
+    if document.preset in (None, given.get("preset")):
+        return []
+    remedy = "bundle the scene with the other preset"
+    return [told("preset", f"{document.preset}, which filled this bundle", str(given.get("preset")), remedy)]
+
+
 def _parsed(path: Path, name: str) -> dict[str, Any]:
     try:
         return tomllib.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
-        expected = f"a scene file or a shipped scene ({', '.join(scene_names())})"
+        expected = f"a scene file, a bundle or a shipped scene ({', '.join(scene_names())})"
         raise SceneError(told(name, expected, error.strerror or "none", "check the name")) from None
     except (ValueError, RecursionError) as error:  # not UTF-8, not TOML, or nested without end
         raise SceneError(told(name, "valid TOML", str(error), "correct that place")) from None

@@ -42,7 +42,10 @@ def mesh_path(name: str) -> Path:
 
 
 def find_mesh(path: str, folder: Path) -> Path | None:
-    """The mesh file that a scene in `folder` means by `path`: a file there, or else a shipped mesh; None if neither."""
-    if os.path.isfile(folder / path):  # unlike Path.is_file it takes any text
+    """The mesh that a scene in `folder` means by `path`; None if there is none.
+
+    A file there, or a bundle's folder of arrays (see `sss_ref.mesh.array_folder`), or else a shipped mesh.
+    """
+    if any(map(os.path.isfile, (folder / path, folder / path / "mesh.json"))):  # unlike Path.is_file it takes any text
         return folder / path
     return mesh_path(path) if path in mesh_names() else None

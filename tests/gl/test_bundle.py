@@ -40,6 +40,7 @@ def test_the_files_of_a_bundle(tmp_path, capsys):
     names = {path.name for path in (tmp_path / "b").iterdir()}
     assert names == {
         "PORTING.md",
+        "mapping.toml",
         "mesh",
         "mesh.glb",
         "passes.json",
@@ -61,7 +62,7 @@ def test_the_files_of_a_bundle(tmp_path, capsys):
     assert np.array_equal(np.float32(shown.vertices), scene.mesh.positions)
     guide = (tmp_path / "b" / "PORTING.md").read_text()
     assert "1. `shadow_map`, 2048 x 2048: `distance_to_light`, `uv_at_light`." in guide
-    assert "sss-ref validate figure5 FOLDER" in guide
+    assert "sss-ref validate . ../dump" in guide
 
 
 def test_a_bundle_replaces_a_bundle_and_nothing_else(tmp_path):

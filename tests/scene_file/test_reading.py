@@ -131,7 +131,8 @@ def test_toml_that_cannot_be_parsed(tmp_path):
 
 def test_missing_scene_file():
     assert problems("none.toml") == [
-        "none.toml: expected a scene file or a shipped scene (small), got No such file or directory; check the name"
+        "none.toml: expected a scene file, a bundle or a shipped scene (small), got No such file or directory; "
+        "check the name"
     ]
 
 
