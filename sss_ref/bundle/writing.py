@@ -9,7 +9,7 @@ import numpy as np
 
 from sss_ref.bundle.porting import guide
 from sss_ref.dump.mapping_template import mapping_template
-from sss_ref.interpret.shader import ARRAY_WIDTH, array_lengths, draws, shader_files
+from sss_ref.interpret.shader import ARRAY_WIDTH, GLSL, array_lengths, draws, shader_files
 from sss_ref.language.layout import CHANNELS
 from sss_ref.language.pipeline import Method, Pass
 from sss_ref.language.types import Array, Texture, vec2, vec3
@@ -85,9 +85,9 @@ def _uniforms(values: Mapping[str, Any], method: Method, folder: Path) -> dict[s
         if get_origin(kind) is Texture or (get_origin(kind) is Array and name not in short):
             np.save(folder / "textures" / f"{name}.npy", value)
             texel = type_name(get_args(kind)[0])
-            found[name] = {"type": f"texture of {texel}", "file": f"textures/{name}.npy"}
+            found[GLSL.name(name)] = {"type": f"texture of {texel}", "file": f"textures/{name}.npy"}
         else:
-            found[name] = {"type": type_name(kind), "value": _plain(value)}
+            found[GLSL.name(name)] = {"type": type_name(kind), "value": _plain(value)}
     return found
 
 

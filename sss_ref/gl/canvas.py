@@ -8,7 +8,7 @@ import numpy as np
 
 from sss_ref.errors import ShaderError
 from sss_ref.gl.uploads import texture_data, uploaded
-from sss_ref.interpret.shader import array_lengths
+from sss_ref.interpret.shader import GLSL, array_lengths
 
 if TYPE_CHECKING:
     from moderngl import Context, Program, Texture, VertexArray
@@ -50,7 +50,7 @@ class Canvas:
         """Give a program what it reads: buffers, else uniforms; raises ShaderError, naming `where`, for other names."""
         import moderngl
 
-        textures = {**self.textures, **buffers}
+        textures = {GLSL.name(name): texture for name, texture in {**self.textures, **buffers}.items()}
         members = [program[name] for name in program]
         uniforms = [member for member in members if isinstance(member, moderngl.Uniform)]
         for unit, sampler in enumerate(member for member in uniforms if member.name in textures):
@@ -62,10 +62,11 @@ class Canvas:
 
     def _write(self, member: Any, where: str) -> None:
         """Write one uniform; OpenGL stores matrices column by column."""
-        if member.name not in self.uniforms:
-            names = ", ".join(sorted(self.uniforms))
+        known = {GLSL.name(name): value for name, value in self.uniforms.items()}
+        if member.name not in known:
+            names = ", ".join(sorted(known))
             raise ShaderError(f"{where}: expected names of earlier buffers or uniforms ({names}), got {member.name}")
-        value = np.asarray(self.uniforms[member.name])
+        value = np.asarray(known[member.name])
         rounded = value.astype(np.int32 if value.dtype.kind == "i" else np.float32)
         member.write(np.ascontiguousarray(rounded.T if member.matrix else rounded).tobytes())
 

@@ -94,7 +94,8 @@ def _text(path: Path) -> str:
 
 def _outputs(one: Pass, path: Path, text: str) -> tuple[str, ...]:
     """The buffers that a fragment shader says it writes, by location."""
-    found = sorted((int(location), name) for location, name in OUTPUT.findall(text))
+    ours = {GLSL.out(name): name for name in one.values}
+    found = sorted((int(location), ours.get(OUT + name, name)) for location, name in OUTPUT.findall(text))
     names = tuple(name for _, name in found)
     listed = ", ".join(one.values)
     if not found or [location for location, _ in found] != list(range(min(len(found), GLSL.most_outputs))):

@@ -40,6 +40,7 @@ def drawing(scene: Scene, keep: str | Iterable[str]) -> dict[str, Any]:
         "passes": _passes(kept, scene),
         "kept": kept,
         "uniforms": {name: np.ravel(value).tolist() for name, value in scene.uniforms.items() if name not in textures},
+        "names": {ESSL.name(name): name for name in (*scene.uniforms, *scene.method.values)},
         "textures": {name: _texture(data) for name, data in textures.items()},
         "triangles": _base64(scene.mesh.triangles),
         "attributes": {

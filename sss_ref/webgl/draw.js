@@ -126,7 +126,7 @@ class Drawing {
     for (let k = 0; k < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); k++) {
       const { name, type } = gl.getActiveUniform(program, k);
       const place = gl.getUniformLocation(program, name);
-      const own = name.replace("[0]", "");
+      const own = this.scene.names[name.replace("[0]", "")];
       if (own in textures) {
         gl.activeTexture(gl.TEXTURE0 + unit);
         gl.bindTexture(gl.TEXTURE_2D, textures[own]);

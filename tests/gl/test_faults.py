@@ -25,7 +25,7 @@ FILTERED = """vec2 at = uv * vec2(textureSize(light_distance, 0)) - 0.5;
     float lower_right = texelFetch(light_distance, corner + ivec2(1, 0), 0).x;
     float upper_left = texelFetch(light_distance, corner + ivec2(0, 1), 0).x;
     float upper_right = texelFetch(light_distance, corner + ivec2(1, 1), 0).x;
-    float stored = mix(mix(lower_left, lower_right, t.x), mix(upper_left, upper_right, t.x), t.y);"""
+    float stored = mix_(mix_(lower_left, lower_right, t.x), mix_(upper_left, upper_right, t.x), t.y);"""
 PLACED = "gl_Position = vertex.clip_position;"
 HALF = {"#version 400 core": "#version 420 core"}  # the first with packHalf2x16
 
@@ -73,7 +73,7 @@ DRAW |= {
 }
 
 SURFACE = {
-    "normal as it is": Fault("slabs", "camera/surface", {"normalize(fragment_normal)": "fragment_normal"}),
+    "normal as it is": Fault("slabs", "camera/surface", {"normalize_(fragment_normal)": "fragment_normal"}),
     "normal of the model": Fault("turned", "camera/surface", {"transform(normal_from_model, normal)": "normal"}),
     "position of the model": Fault("turned", "shadow_map/distance_to_light", {"world.xyz": "position"}, "shadow_map."),
 }
@@ -87,7 +87,7 @@ SHADOW_MAP = {
     "distance in half floats": Fault(
         "bust",
         "shadow_map/distance_to_light",
-        HALF | {"sqrt(dot(v, v))": "unpackHalf2x16(packHalf2x16(vec2(sqrt(dot(v, v))))).x"},
+        HALF | {"sqrt(dot_(v, v))": "unpackHalf2x16(packHalf2x16(vec2(sqrt(dot_(v, v))))).x"},
         "shadow_map.",
     ),
     "no half texel": Fault("slabs", "camera/shadow_lookup_bilinear", {"map_size.x) - 0.5": "map_size.x)"}),
@@ -106,12 +106,12 @@ SHADOW_MAP = {
         "slabs", "camera/shadow_lookup_bilinear", {"light_clip_from_world": "camera_clip_from_model"}, "camera_"
     ),
     "thickness from a depth": Fault(
-        "slabs", "camera/back_point", {"length(position_world - entry_point)": "(position_world - entry_point).z"}
+        "slabs", "camera/back_point", {"length_(position_world - entry_point)": "(position_world - entry_point).z"}
     ),
     "no normalize": Fault(
         "slabs",
         "camera/back_point",
-        {"normalize(position_world - light_position)": "(position_world - light_position)"},
+        {"normalize_(position_world - light_position)": "(position_world - light_position)"},
     ),
     "facing away": Fault("slabs", "camera/directly_lit_slope", {"facing > 0.0": "facing < 0.0"}),
     "bias of the wrong sign": Fault("bust", "camera/directly_lit_slope", {"behind <= bias": "behind <= -bias"}),
@@ -121,22 +121,22 @@ LIGHT = {
     "light without colour": Fault(
         "slabs", "camera/light_constant", {"light_color * light_intensity": "vec3(light_intensity)"}
     ),
-    "reflected the wrong way": Fault("slabs", "camera/phong_shading", {"reflect(-to_light": "reflect(to_light"}),
+    "reflected the wrong way": Fault("slabs", "camera/phong_shading", {"reflect_(-to_light": "reflect_(to_light"}),
     "shininess one too high": Fault(
         "bust",
         "camera/phong_shading",
-        {"pow(max(mirrored, 0.0), shininess)": "pow(max(mirrored, 0.0), shininess + 1.0)"},
+        {"pow(max_(mirrored, 0.0), shininess)": "pow(max_(mirrored, 0.0), shininess + 1.0)"},
     ),
     "no ambient light": Fault("bust", "camera/phong_shading", {"Phong((ambient / light_count + ": "Phong(("}),
     "exponent 0.601": Fault("slabs", "camera/translucency_ratio", {"d_min), exponent)": "d_min), exponent + 0.001)"}),
     "multiply for divide": Fault("slabs", "camera/translucency_ratio", {"pow(x, y) / pow(": "pow(x, y) * pow("}),
     "thickness not held above d_min": Fault(
-        "bust", "camera/translucency_ratio", {"max(thickness, d_min)": "thickness"}
+        "bust", "camera/translucency_ratio", {"max_(thickness, d_min)": "thickness"}
     ),
     "translucency in half floats": Fault(
         "slabs",
         "camera/translucency_ratio",
-        HALF | {"min(term, TRANSLUCENCY_MAX)": "unpackHalf2x16(packHalf2x16(vec2(min(term, TRANSLUCENCY_MAX)))).x"},
+        HALF | {"min_(term, TRANSLUCENCY_MAX)": "unpackHalf2x16(packHalf2x16(vec2(min_(term, TRANSLUCENCY_MAX)))).x"},
     ),
     "multiply for add": Fault("bust", "camera/lit_transmit", {"Lit(reflected + albedo": "Lit(reflected * albedo"}),
     "bytes between two passes": Fault(
@@ -172,7 +172,7 @@ PUBLISHED = {  # the shadow map is read at the vertices, and targets hold bytes
     ),
     "bytes cut off": Fault("wax", "camera/stored_rgb8", {"* 255.0 + 0.5": "* 255.0"}, "camera_"),
     "multiply for an addition": Fault("wax", "camera/lit_add", {"Lit(phong + albedo": "Lit(phong * albedo"}),
-    "squared distance": Fault("wax", "shadow_map/distance_to_light", {"sqrt(dot(v, v))": "dot(v, v)"}, "shadow_map"),
+    "squared distance": Fault("wax", "shadow_map/distance_to_light", {"sqrt(dot_(v, v))": "dot_(v, v)"}, "shadow_map"),
     "a byte of steps of 1/256": Fault(
         "wax", "shadow_map/stored_r8", {"+ 0.5) / 255.0": "+ 0.5) / 256.0"}, "shadow_map"
     ),

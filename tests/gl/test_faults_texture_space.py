@@ -27,7 +27,7 @@ FAULTS = {
     "v flipped for the camera": Fault(T, "camera/surface", V_FLIPPED, "camera."),
     "exponent 0.601": Fault(T, "camera/translucency_ratio", {"d_min), exponent)": "d_min), exponent + 0.001)"}),
     "normal as it is": Fault(
-        T, "irradiance_map/surface", {"normalize(fragment_normal)": "fragment_normal * 0.5"}, "irradiance_map"
+        T, "irradiance_map/surface", {"normalize_(fragment_normal)": "fragment_normal * 0.5"}, "irradiance_map"
     ),
     "not divided by w": Fault(
         T,
@@ -38,7 +38,7 @@ FAULTS = {
     "no normalize": Fault(
         T,
         "irradiance_map/back_point",
-        {"normalize(position_world - light_position)": "(position_world - light_position)"},
+        {"normalize_(position_world - light_position)": "(position_world - light_position)"},
         "irradiance_map",
     ),
     "facing away": Fault(T, "irradiance_map/directly_lit_slope", {"facing > 0.0": "facing < 0.0"}, "irradiance_map"),
@@ -77,7 +77,7 @@ FAULTS = {
     "no ambient light": Fault(T, "camera/image_product", {"(ambient + irradiance_used": "(irradiance_used"}),
     "sRGB write": Fault(T, "camera/image_product", {"out_image = image;": "out_image = pow(image, vec3(0.4545));"}),
     "no root": Fault(
-        PUBLISHED, "camera/image_sqrt_add", {"sqrt(max(phong * irradiance_used,": "(max(phong * irradiance_used,"}
+        PUBLISHED, "camera/image_sqrt_add", {"sqrt(max_(phong * irradiance_used,": "(max_(phong * irradiance_used,"}
     ),
     "root of the sum": Fault(
         PUBLISHED, "camera/image_sqrt_add", {"phong * irradiance_used,": "phong + irradiance_used,"}
@@ -85,7 +85,7 @@ FAULTS = {
     "twice the distance": Fault(
         PUBLISHED,
         "irradiance_map/irradiance_distance",
-        {"incident_light * length(": "incident_light * 2.0 * length("},
+        {"incident_light * length_(": "incident_light * 2.0 * length_("},
         "irradiance_map",
     ),
 }

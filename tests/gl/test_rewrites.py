@@ -1,5 +1,7 @@
 """Shaders that say the same in other words, as another author or compiler might: they round otherwise, and pass."""
 
+import re
+
 import pytest
 from edited import drawn, drawn_edited, rendered
 from opengl import needs_mesa
@@ -8,14 +10,15 @@ from sss_ref.validation.stage_by_stage import validate
 
 pytestmark = needs_mesa
 
-DOT = "return a.x * b.x + a.y * b.y + a.z * b.z;"
-MATRIX_4 = "return ((m[0] * v.x + m[1] * v.y) + m[2] * v.z) + m[3] * v.w;"
-MATRIX_3 = "return (m[0] * v.x + m[1] * v.y) + m[2] * v.z;"
-MIX = "return a * (1.0 - t) + b * t;"
-MIX_3 = f"vec3 mix(vec3 a, vec3 b, float t)\n{{\n    {MIX}"
+RESULT = "precise {} result = {};"
+DOT = RESULT.format("float", "a.x * b.x + a.y * b.y + a.z * b.z")
+MATRIX_4 = RESULT.format("vec4", "((m[0] * v.x + m[1] * v.y) + m[2] * v.z) + m[3] * v.w")
+MATRIX_3 = RESULT.format("vec3", "(m[0] * v.x + m[1] * v.y) + m[2] * v.z")
+MIX = "result = a * (1.0 - t) + b * t;"
+MIX_3 = RESULT.format("vec3", "a * (1.0 - t) + b * t")
 UNIT = "magnitude > 0.0 ? v / magnitude"
 SUM = "ambient / light_count + incident_light * lambert + incident_light * mirror"
-HIGHLIGHT = "pow(max(mirrored, 0.0), shininess)"
+HIGHLIGHT = "pow(max_(mirrored, 0.0), shininess)"
 
 # Mesa's fma() rounds twice; a product in double is exact, and its sum all but.
 FUSED = """#version 400 core
@@ -28,50 +31,56 @@ vec4 fused(vec4 a, vec4 b, vec4 c) { return vec4(dvec4(a) * dvec4(b) + dvec4(c))
 def fused(fma):
     """Every sum of products by a function that rounds once."""
     return {
-        DOT: f"return {fma}(a.z, b.z, {fma}(a.y, b.y, a.x * b.x));",
-        MATRIX_4: f"return {fma}(m[3], vec4(v.w), {fma}(m[2], vec4(v.z), {fma}(m[1], vec4(v.y), m[0] * v.x)));",
-        MATRIX_3: f"return {fma}(m[2], vec3(v.z), {fma}(m[1], vec3(v.y), m[0] * v.x));",
-        MIX_3: MIX_3.replace(MIX, f"return {fma}(b, vec3(t), a * (1.0 - t));"),
+        DOT: f"float result = {fma}(a.z, b.z, {fma}(a.y, b.y, a.x * b.x));",
+        MATRIX_4: f"vec4 result = {fma}(m[3], vec4(v.w), {fma}(m[2], vec4(v.z), {fma}(m[1], vec4(v.y), m[0] * v.x)));",
+        MATRIX_3: f"vec3 result = {fma}(m[2], vec3(v.z), {fma}(m[1], vec3(v.y), m[0] * v.x));",
+        MIX_3: f"vec3 result = {fma}(b, vec3(t), a * (1.0 - t));",
         SUM: f"{fma}(incident_light, vec3(mirror), {fma}(incident_light, vec3(lambert), vec3(ambient / light_count)))",
     }
 
 
-def builtin(*signatures):
-    """GLSL's own function where the shader has one of its own by that name: ours is out of the way under another."""
-    return {signature: signature.replace(" ", " our_", 1) for signature in signatures}
+def builtin(*heads):
+    """GLSL's own functions where the shader has its own, dot_ for dot: ours are out of the way under another name.
+
+    heads: how their definitions begin.
+    """
+    names = dict.fromkeys(re.search(r"(\w+)_\(", head)[1] for head in heads)
+    defined = "".join(f"#define {name}_ {name}\n" for name in names)
+    moved = {head: head.replace(" ", " our_", 1) for head in heads}
+    return {"#version 400 core\n": f"#version 400 core\n{defined}", **moved}
 
 
 REWRITES = {  # these draw other bits than ours
-    "dot backwards": {DOT: "return a.z * b.z + a.y * b.y + a.x * b.x;"},
-    "dot in another order": {DOT: "return a.x * b.x + (a.y * b.y + a.z * b.z);"},
+    "dot backwards": {DOT: RESULT.format("float", "a.z * b.z + a.y * b.y + a.x * b.x")},
+    "dot in another order": {DOT: RESULT.format("float", "a.x * b.x + (a.y * b.y + a.z * b.z)")},
     "fused in double": {"#version 400 core\n": FUSED, **fused("fused")},
-    "unit vector by inversesqrt": {UNIT: "magnitude > 0.0 ? v * inversesqrt(dot(v, v))"},
+    "unit vector by inversesqrt": {UNIT: "magnitude > 0.0 ? v * inversesqrt(dot_(v, v))"},
     "unit vector by a reciprocal": {UNIT: "magnitude > 0.0 ? v * (1.0 / magnitude)"},
     "divided by w once": {"vec2(clip.x / clip.w, clip.y / clip.w)": "clip.xy * (1.0 / clip.w)"},
-    "mix by the difference": {MIX: "return a + (b - a) * t;"},
+    "mix by the difference": {MIX: "result = a + (b - a) * t;"},
     "light factored out": {SUM: "ambient / light_count + incident_light * (lambert + mirror)"},
     "power by squaring": {
         "#version 400 core\n": "#version 400 core\nfloat squared(float x) { return x * x; }\n",
-        HIGHLIGHT: "squared(squared(squared(squared(squared(max(mirrored, 0.0))))))",  # the scenes' shininess is 32
+        HIGHLIGHT: "squared(squared(squared(squared(squared(max_(mirrored, 0.0))))))",  # the scenes' shininess is 32
     },
-    "distance()": {"length(fragment_position - light_position)": "distance(fragment_position, light_position)"},
-    "GLSL's dot": builtin("float dot(vec3 a"),
-    "GLSL's length": builtin("float length(vec3 v"),
-    "GLSL's normalize": builtin("vec3 normalize(vec3 v"),
-    "GLSL's reflect": builtin("vec3 reflect(vec3 i"),
+    "distance()": {"length_(fragment_position - light_position)": "distance(fragment_position, light_position)"},
+    "GLSL's dot": builtin("float dot_(vec3 a"),
+    "GLSL's length": builtin("float length_(vec3 v"),
+    "GLSL's normalize": builtin("vec3 normalize_(vec3 v"),
+    "GLSL's reflect": builtin("vec3 reflect_(vec3 i"),
 }
 SAME_BITS = {  # these draw the same on Mesa, and need not elsewhere
     "GLSL's fma": fused("fma"),
-    "GLSL's mix": builtin("vec3 mix(vec3 a, vec3 b, float t)"),
+    "GLSL's mix": builtin("vec3 mix_(vec3 a, vec3 b, float t)"),
     "GLSL's min, max and clamp": builtin(
-        *(f"{kind} {name}({kind} x" for kind in ("float", "int") for name in ("min", "max", "clamp"))
+        *(f"{kind} {name}_({kind} x" for kind in ("float", "int") for name in ("min", "max", "clamp"))
     ),
     "GLSL's matrix product": {"transform(light_clip_from_world, ": "(light_clip_from_world * "},
     "power by exp2": {
-        "pow(x, y) / pow(max(thickness, d_min), exponent)": (
-            "exp2(y * log2(x)) / exp2(exponent * log2(max(thickness, d_min)))"
+        "pow(x, y) / pow(max_(thickness, d_min), exponent)": (
+            "exp2(y * log2(x)) / exp2(exponent * log2(max_(thickness, d_min)))"
         ),
-        HIGHLIGHT: "exp2(shininess * log2(max(mirrored, 0.0)))",
+        HIGHLIGHT: "exp2(shininess * log2(max_(mirrored, 0.0)))",
     },
     "not precise": {"precise gl_Position;\n": "", "precise ": ""},
 }

@@ -55,31 +55,34 @@ struct BackPoint
 };
 
 // Scalar product (x*x' + y*y') + z*z' (rule A3).
-float dot(vec3 a, vec3 b)
+float dot_(vec3 a, vec3 b)
 {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
+    precise float result = a.x * b.x + a.y * b.y + a.z * b.z;
+    return result;
 }
 
 // Euclidean length sqrt(dot(v, v)) (rule A3).
-float length(vec3 v)
+float length_(vec3 v)
 {
-    return sqrt(dot(v, v));
+    return sqrt(dot_(v, v));
 }
 
 // v / length(v); the zero vector stays zero, unlike GLSL, where it is undefined (rule A3).
-vec3 normalize(vec3 v)
+vec3 normalize_(vec3 v)
 {
-    float magnitude = length(v);
-    return magnitude > 0.0 ? v / magnitude : vec3(0.0, 0.0, 0.0);
+    precise float magnitude = length_(v);
+    precise vec3 result = magnitude > 0.0 ? v / magnitude : vec3(0.0, 0.0, 0.0);
+    return result;
 }
 
 // Go from the light towards the fragment by the stored distance; the rest of the way lies inside the body.
 // Source: paper 3.2.
 BackPoint back_point(vec3 position_world, vec3 light_position, float stored_distance, bool shadow_valid)
 {
-    vec3 direction = normalize(position_world - light_position);
-    vec3 entry_point = shadow_valid ? light_position + direction * stored_distance : position_world;
-    return BackPoint(entry_point, length(position_world - entry_point));
+    precise vec3 direction = normalize_(position_world - light_position);
+    precise vec3 entry_point = shadow_valid ? light_position + direction * stored_distance : position_world;
+    precise float thickness = length_(position_world - entry_point);
+    return BackPoint(entry_point, thickness);
 }"""
 
 
@@ -132,14 +135,15 @@ def grouped(a: float, b: float, c: float, i: int, p: bool, q: bool) -> Value:
 
 def test_parentheses_keep_the_order():
     assert function_lines(grouped) == [
-        "float difference = a - (b - c) - 1.0;",
-        "float quotient = a / (b * c) * (a + b);",
-        "float sign = -(a * b) - -c;",
-        "float chosen = p && (q || a < b) ? (q ? a : b) : p ? b : c;",
-        "float product = (p ? a : b) * 2.0;",
-        "float counted = float(i - (2 - i)) + float(int(a));",
+        "precise float difference = a - (b - c) - 1.0;",
+        "precise float quotient = a / (b * c) * (a + b);",
+        "precise float sign_ = -(a * b) - -c;",
+        "precise float chosen = p && (q || a < b) ? (q ? a : b) : p ? b : c;",
+        "precise float product = (p ? a : b) * 2.0;",
+        "precise float counted = float(i - (2 - i)) + float(int(a));",
         "bool same = a == b && (i != 3 || p);",
-        "return Value(difference + quotient + sign + (chosen + product) + counted + (same ? a : b));",
+        "precise float value = difference + quotient + sign_ + (chosen + product) + counted + (same ? a : b);",
+        "return Value(value);",
     ]
 
 
@@ -153,12 +157,12 @@ def typed(v: vec3, t: float, mask: Texture[bool], picture: Texture[vec2], at: iv
 
 def test_functions_are_written_for_the_types_they_are_called_with():
     source = stage_source(typed, {})
-    assert "vec3 mix(vec3 a, vec3 b, float t)" in source and "float mix(float a, float b, float t)" in source
-    assert "return vec3(min(x.x, y.x), min(x.y, y.y), min(x.z, y.z));" in source
-    assert source.index("float min(float x, float y)") < source.index("vec3 min(vec3 x, vec3 y)")
-    assert source.count("vec3 clamp(") == 1
+    assert "vec3 mix_(vec3 a, vec3 b, float t)" in source and "float mix_(float a, float b, float t)" in source
+    assert "return vec3(min_(x.x, y.x), min_(x.y, y.y), min_(x.z, y.z));" in source
+    assert source.index("float min_(float x, float y)") < source.index("vec3 min_(vec3 x, vec3 y)")
+    assert source.count("vec3 clamp_(") == 1
     assert "return y < x ? y : x;" in source and "return x < y ? y : x;" in source
-    assert "texelFetch(mask, at, 0).x != 0u ? texelFetch(picture, at, 0).xy.x : mix(t, 0.5, t)" in source
+    assert "texelFetch(mask, at, 0).x != 0u ? texelFetch(picture, at, 0).xy.x : mix_(t, 0.5, t)" in source
     assert "Both typed(vec3 v, float t, usampler2D mask, sampler2D picture, ivec2 at)" in source
 
 
@@ -173,10 +177,10 @@ def summed(weights: Array[float], count: int, start: float) -> Value:
 
 def test_a_loop_accumulates():
     assert function_lines(summed) == [
-        "float total = start;",
+        "precise float total = start;",
         "for (int k = 0; k < count; k++)",
         "{",
-        "float doubled = texelFetch(weights, ivec2(k % 4096, k / 4096), 0).x * 2.0;",
+        "precise float doubled = texelFetch(weights, ivec2(k % 4096, k / 4096), 0).x * 2.0;",
         "total = total + doubled;",
         "}",
         "return Value(total);",
@@ -192,7 +196,7 @@ def test_short_arrays_are_arrays_and_long_ones_textures():
 
 
 def test_a_word_of_glsl_is_no_variable():
-    assert "vec2 flat_ = uv * 2.0 - 1.0;" in function_lines(layout_vertex)
+    assert "precise vec2 flat_ = uv * 2.0 - 1.0;" in function_lines(layout_vertex)
 
 
 def test_a_pass_is_split_into_draws_of_eight_outputs():
@@ -279,9 +283,7 @@ def test_hlsl_writes_its_own_types_and_what_it_lacks():
     assert "Both widened(float3 v, Texture2D<float3> picture, Texture2D<uint> mask, float line_)" in source
     assert "float3 bounded = max_(v, (float3)line_);" in source
     assert "int2 texture_size(Texture2D<float3> map)" in source and "int2 extent = texture_size(picture);" in source
-    assert (
-        "Both returned = {mask.Load(int3(at, 0)) != 0u ? line_ : 0.5, picture.Load(int3(at, 0)) * bounded};" in source
-    )
+    assert "Both returned = {mask.Load(int3(at, 0)) != 0u ? line_ : 0.5, other};" in source
 
 
 def test_hlsl_turns_the_picture_over_and_halves_the_depth_range():

@@ -20,9 +20,9 @@ SMALL = {
 }
 KEPT = ("all", "registers")
 # How the shaders read a texel that may lie beside the texture, and another way to do it.
-CLAMPED = "texelFetch(texture, ivec2(clamp(at.x, 0, last.x), clamp(at.y, 0, last.y)), 0).xyz"
+CLAMPED = "texelFetch(texture_, ivec2(clamp_(at.x, 0, last.x), clamp_(at.y, 0, last.y)), 0).xyz"
 ON_MAP = "at.x >= 0 && at.y >= 0 && at.x <= last.x && at.y <= last.y"
-BORDERED = f"{ON_MAP} ? texelFetch(texture, at, 0).xyz : vec3(0.0, 0.0, 0.0)"
+BORDERED = f"{ON_MAP} ? texelFetch(texture_, at, 0).xyz : vec3(0.0, 0.0, 0.0)"
 SHIPPED = {  # name -> a scene of the package, and what is different in it
     "bust": ("figure3_with", {}),
     "filtered bust": ("figure3_with", {"shadow_map.filter": "bilinear"}),

@@ -3,35 +3,24 @@
 from dataclasses import replace
 
 from sss_ref.interpret.shader.dialect import ARRAY_WIDTH, Dialect, Parts
+from sss_ref.interpret.shader.reserved import GLSL_BUILT_INS, GLSL_WORDS
 from sss_ref.interpret.shader.text import braced, comment, joined
 from sss_ref.language.types import ivec2, mat3, mat4, vec2, vec3, vec4
 
 TRIANGLE = "triangle_number"  # GLSL ES knows no gl_PrimitiveID: drawn without indices, a corner knows its triangle
-
-WORDS = """
-active asm attribute buffer case cast centroid class coherent common const default discard enum extern external
-filter fixed flat goto half highp inline inout input interface invariant layout long lowp mediump namespace noinline
-noperspective out output packed partition patch precise precision public readonly resource restrict row_major sample
-shared short sizeof smooth static struct subroutine superp switch template this typedef uniform union unsigned using
-varying void volatile writeonly
-"""  # those that Python allows as a name
-BUILT_INS = """
-abs acos acosh all any asin asinh atan atanh ceil clamp cos cosh cross degrees determinant distance dot equal exp exp2
-faceforward floor fract fwidth inverse inversesqrt isinf isnan length log log2 max min mix mod modf normalize not pow
-radians reflect refract round sign sin sinh smoothstep sqrt step tan tanh texture transpose trunc
-"""  # functions that a shader of GLSL may define anew and one of GLSL ES may not
 
 
 def vertex(parts: Parts, dialect: Dialect) -> str:
     """A complete vertex shader."""
     attributes = [f"in {dialect.declared(kind, name)};" for name, kind in parts.attributes.items()]
     varyings = [f"{dialect.exact}out {dialect.declared(kind, name)};" for name, kind in parts.varyings.items()]
+    position = ["precise gl_Position;"] if dialect.exact else []
     if not parts.mesh:
-        return _shader(parts, dialect, [], [])
+        return _shader(parts, dialect, [], position)
     if _numbers_triangles(dialect):
         numbered = replace(parts, lines=[*parts.lines, f"{TRIANGLE} = gl_VertexID / 3;"])
         return _shader(numbered, dialect, attributes, [*varyings, f"flat out int {TRIANGLE};"])
-    return _shader(parts, dialect, attributes, [*varyings, "precise gl_Position;"])
+    return _shader(parts, dialect, attributes, [*varyings, *position])
 
 
 def fragment(parts: Parts, dialect: Dialect) -> str:
@@ -97,8 +86,7 @@ GLSL = Dialect(
         "vertex_number": "gl_VertexID",
     },
     placed=("gl_Position = {0};",),
-    variables=frozenset(WORDS.split()),
-    functions=frozenset(WORDS.split()),
+    reserved=GLSL_WORDS | GLSL_BUILT_INS | {"main"},
     most_outputs=8,
     head=("#version 400 core",),  # the first with `precise`: no sum reordered, nothing fused
     vertex=vertex,
@@ -110,7 +98,6 @@ ESSL = replace(
     GLSL,
     exact="",
     given={**GLSL.given, "triangle": TRIANGLE},
-    functions=GLSL.functions | frozenset(BUILT_INS.split()),
     most_outputs=4,
     head=("#version 300 es", *PRECISION),
 )

@@ -8,22 +8,9 @@ Matrices lie in the constant buffer row after row; elements of its arrays start 
 
 from sss_ref.interpret.shader.dialect import ARRAY_WIDTH, Dialect, Parts
 from sss_ref.interpret.shader.glsl import GLSL
+from sss_ref.interpret.shader.reserved import HLSL_BUILT_INS, HLSL_WORDS
 from sss_ref.interpret.shader.text import braced, comment, indented, joined
 from sss_ref.language.types import ivec2, mat3, mat4, vec2, vec3, vec4
-
-WORDS = """
-asm auto case catch cbuffer centroid char column_major const const_cast default delete discard double dynamic_cast enum
-explicit export extern friend goto groupshared half inline inout interface line lineadj linear long matrix mutable
-namespace new nointerpolation noperspective operator out packoffset pixelfragment point precise private protected public
-register reinterpret_cast returned row_major sample sampler shared short signed sizeof snorm static static_cast string
-struct switch tbuffer technique template texture this throw triangle triangleadj typedef typename uniform union unorm
-unsigned using vector vertexfragment virtual void volatile
-"""  # those that Python allows as a name, and that of a struct a function returns
-INTRINSICS = """
-abs acos all any asin atan ceil clamp clip cos cosh cross degrees determinant distance dot dst exp exp2 faceforward
-floor fmod frac frexp fwidth isfinite isinf isnan ldexp length lerp lit log log2 mad max min modf mul noise normalize
-pow radians rcp reflect refract round rsqrt saturate sign sin sinh smoothstep sqrt step tan tanh transpose trunc
-"""  # functions: a shader's own must differ in name, or calls of the two are ambiguous
 
 NUMBER, WINDOW, PRIMITIVE, CLIP = "vertex_number", "window", "primitive", "clip_position"  # inputs and output of `main`
 
@@ -104,8 +91,7 @@ HLSL = Dialect(
         f"{CLIP} = {{0}} * float4(1.0, -1.0, 1.0, 1.0);",
         f"{CLIP}.z = ({CLIP}.z + {CLIP}.w) * 0.5;",
     ),
-    variables=frozenset(WORDS.split()),
-    functions=frozenset((WORDS + INTRINSICS).split()),
+    reserved=HLSL_WORDS | HLSL_BUILT_INS | {"main", "returned"},  # the last: the struct that a function returns
     most_outputs=8,
     head=(),
     vertex=vertex,

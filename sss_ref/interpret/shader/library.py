@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from itertools import count
 from typing import Any, TypeVar, get_args, get_origin, get_type_hints
 
-from sss_ref.interpret.shader.dialect import Dialect
+from sss_ref.interpret.shader.dialect import FLOATING, Dialect
 from sss_ref.interpret.shader.expressions import SUM, Expressions, number
 from sss_ref.interpret.shader.glsl import GLSL
 from sss_ref.interpret.shader.text import braced, comment, folded
@@ -56,7 +56,7 @@ class Library:
 
     def extreme(self, name: str, kind: Any) -> str:
         """The name of min or max for two values of a type; that of vectors works on their components."""
-        result, written = EXTREMES[name], self.dialect.function(name)
+        result, written = EXTREMES[name], self.dialect.name(name)
         if isinstance(kind, type) and issubclass(kind, Vector):
             self.extreme(name, element_type(kind))
             each = ", ".join(f"{written}(x.{letter}, y.{letter})" for letter in "xyzw"[: kind.count])
@@ -76,7 +76,8 @@ class Library:
         vector = vec3 if matrix is mat3 else vec4
         head = self._signature(vector, "transform", {"m": matrix, "v": vector})
         doc = "Matrix times vector, each row summed in this order (rule A3)."
-        self._define(("transform", matrix), doc, head, [f"return {self.dialect.products[matrix]};"])
+        lines = [f"{self.dialect.computed(vector, 'result')} = {self.dialect.products[matrix]};", "return result;"]
+        self._define(("transform", matrix), doc, head, lines)
         return "transform"
 
     def function(self, call: tree.Call, lengths: Mapping[str, int]) -> str:
@@ -88,7 +89,7 @@ class Library:
         assert isinstance(callee, Function) and body is not None
         given = zip(body.parameters, call.arguments, strict=True)
         own = {name: lengths[a.name] for name, a in given if isinstance(a, tree.Variable) and a.name in lengths}
-        first = self.dialect.function(callee.name + texel_suffix(callee, body))
+        first = self.dialect.name(callee.name + texel_suffix(callee, body))
         kinds = (*body.parameters.values(), *own.items())
         doc, lines = inspect.getdoc(callee.python), self._body(body, own)
 
@@ -104,7 +105,7 @@ class Library:
         fields = [f"{self.dialect.declared(kind, name)};" for name, kind in stage.outputs.items()]
         self._define(struct, inspect.getdoc(struct), f"struct {struct.__name__}", fields, end="};")
         own = {name: lengths[read] for name, read in arrays.items() if read in lengths}
-        head = self._signature(struct, stage.name, stage.parameters, own)
+        head = self._signature(struct, self.dialect.name(stage.name), stage.parameters, own)
         doc = f"{inspect.getdoc(stage.python)}\nSource: {stage.source}."
         self._define(stage.python, doc, head, self._body(stage.body, own, struct.__name__))
 
@@ -131,9 +132,24 @@ class Library:
                 lines.append(self._assign(statement, known, expressions))
             else:
                 lines += self._loop(statement, known, expressions)
-        values = ", ".join(map(expressions.text, body.result.values.values()))
+        values = [
+            self._result(own if struct else "result", value, known, expressions, lines)
+            for own, value in body.result.values.items()
+        ]
         returned = self.dialect.returned if struct else ("return {values};",)
-        return [*lines, *(line.format(struct=struct, values=values) for line in returned)]
+        return [*lines, *(line.format(struct=struct, values=", ".join(values)) for line in returned)]
+
+    def _result(
+        self, own: str, value: tree.Expression, known: set[str], expressions: Expressions, lines: list[str]
+    ) -> str:
+        """What a function returns: an exact result is a variable, declared in a line of its own."""
+        text = expressions.text(value)
+        if not self.dialect.exact or not _rounds(value):
+            return text
+        name = next(name for name in _numbered(own) if name not in known)
+        known.add(name)
+        lines.append(f"{self.dialect.computed(value.type, name)} = {text};")
+        return self.dialect.name(name)
 
     def _assign(self, statement: tree.Assign, known: set[str], expressions: Expressions) -> str:
         """`type name = value;`, without the type where an accumulator is assigned again."""
@@ -141,7 +157,9 @@ class Library:
         if statement.name in known:
             return f"{self.dialect.name(statement.name)} = {text};"
         known.add(statement.name)
-        return f"{self.dialect.declared(statement.value.type, statement.name)} = {text};"
+        is_sum = statement.value.type in FLOATING or _rounds(statement.value)
+        declared = self.dialect.computed if is_sum else self.dialect.declared
+        return f"{declared(statement.value.type, statement.name)} = {text};"
 
     def _loop(self, statement: tree.Loop, known: set[str], expressions: Expressions) -> list[str]:
         """The loop; what is new in its block is unknown after it."""
@@ -150,6 +168,12 @@ class Library:
         head = f"for (int {index} = {start}; {index} < {stop}; {index}++)"
         block = [self._assign(assign, inside, expressions) for assign in statement.block]
         return braced(head, block)
+
+
+def _rounds(expression: tree.Expression) -> bool:
+    """Whether an expression has operations on numbers of its own, apart from those in the functions that it calls."""
+    own = isinstance(expression, tree.Operation) and expression.type in FLOATING
+    return own or any(map(_rounds, tree.children(expression)))
 
 
 def _numbered(name: str) -> Iterator[str]:

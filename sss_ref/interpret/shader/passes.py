@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.interpret.shader.dialect import OUT, Dialect, Parts
+from sss_ref.interpret.shader.dialect import Dialect, Parts
 from sss_ref.interpret.shader.glsl import GLSL
 from sss_ref.interpret.shader.library import Library, result_struct
 from sss_ref.interpret.shader.reads import Reads
@@ -115,7 +115,7 @@ def _rectangle(dialect: Dialect) -> list[str]:
 
 def _vertex_lines(stage: Stage, dialect: Dialect) -> list[str]:
     """The call of a vertex stage; its results become the varyings and the clip position."""
-    call = f"{stage.name}({', '.join(map(dialect.name, stage.reads.values()))})"
+    call = f"{dialect.name(stage.name)}({', '.join(map(dialect.name, stage.reads.values()))})"
     lines = [f"{result_struct(stage).__name__} vertex = {call};"]
     for own, name in stage.writes.items():
         value = f"vertex.{dialect.name(own)}"
@@ -135,7 +135,7 @@ def _fragment_lines(this_pass: Pass, outputs: Collection[str], reads: Reads, dia
         *reads.fetches(dialect),
         *_rasterized(this_pass, used, dialect),
         *(line for stage in this_pass.stages for line in _call(stage, reads, used, dialect)),
-        *(f"{OUT}{name} = {_stored(this_pass.values[name], dialect.name(name))};" for name in outputs),
+        *(f"{dialect.out(name)} = {_stored(this_pass.values[name], dialect.name(name))};" for name in outputs),
     ]
 
 
@@ -155,13 +155,13 @@ def _rasterized(this_pass: Pass, used: set[str], dialect: Dialect) -> list[str]:
 def _call(stage: Stage, reads: Reads, used: set[str], dialect: Dialect) -> list[str]:
     """The call of a stage; what is used of its result gets the pass's names."""
     arguments = [reads.argument(stage.reads[own], kind, dialect) for own, kind in stage.parameters.items()]
-    call = f"{stage.name}({', '.join(arguments)})"
+    call = f"{dialect.name(stage.name)}({', '.join(arguments)})"
     wanted = {own: name for own, name in stage.writes.items() if name in used}
     if len(wanted) == 1:
         ((own, name),) = wanted.items()
         return [f"{dialect.declared(stage.outputs[own], name)} = {call}.{dialect.name(own)};"]
     own, name = next(iter(stage.writes.items()))
-    result = str(replace(Name.of(name), base=f"{stage.name}_result"))  # numbered as its values are
+    result = dialect.name(str(replace(Name.of(name), base=f"{stage.name}_result")))  # numbered as its values are
     taken = [
         f"{dialect.declared(stage.outputs[own], name)} = {result}.{dialect.name(own)};" for own, name in wanted.items()
     ]

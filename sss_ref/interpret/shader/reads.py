@@ -49,10 +49,10 @@ class Reads:
     def fetches(self, dialect: Dialect) -> list[str]:
         """The lines that give the buffers' values at the pixel itself a name."""
         return [
-            f"{dialect.declared(kind, name + '_here')} = {dialect.fetched(kind, dialect.name(name), PIXEL)};"
+            f"{dialect.declared(kind, f'{name}_here')} = {dialect.fetched(kind, dialect.name(name), PIXEL)};"
             for name, kind in self.here.items()
         ]
 
     def argument(self, name: str, kind: Any, dialect: Dialect) -> str:
         """What a stage is handed for a parameter of this type."""
-        return f"{name}_here" if name in self.here and get_origin(kind) is not Texture else dialect.name(name)
+        return dialect.name(f"{name}_here" if name in self.here and get_origin(kind) is not Texture else name)
