@@ -162,6 +162,19 @@ def test_warnings_go_to_stderr(out, capsys):
     assert told.err.startswith("warning: camera: it is inside the mesh") and "inside the mesh" not in told.out
 
 
+def test_warnings_come_before_the_folder_is_written(out, monkeypatch, capsys):
+    from sss_ref.results import folder
+
+    told = []
+    monkeypatch.setattr(folder, "save", lambda *_: told.append(capsys.readouterr().err) or out)
+    small = [each for key in ("width=8", "height=8", "far=1.0") for each in ("--set", f"camera.{key}")]
+    assert main(["render", "-o", str(out), "--interpreter", "arrays", *small]) == 0
+    assert told[0].splitlines() == [
+        "warning: camera: the whole mesh lies beyond far = 1, from 2 on; set camera.far = 3.3",
+        "warning: camera: nothing of the mesh is drawn",
+    ]
+
+
 def test_scenes_are_listed_with_their_first_comment(capsys):
     assert main(["scenes"]) == 0
     lines = [line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines()]

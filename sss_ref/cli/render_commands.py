@@ -1,7 +1,7 @@
 """`sss-ref render` and `warmup`."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -36,11 +36,11 @@ def render(
     announce_compilation(execution)
     with progress("loading the scene") as show:
         loaded = load_scene(scene, **changes.overrides())
+        _warn(loaded.warnings)
         result = _rendered(loaded, wanted, execution, lambda name: show(f"pass {name}"))
+        _warn(result.notes)
         show("writing files")
         folder = save(result, output, execution.interpreter, execution.threads)
-    for warning in (*loaded.warnings, *result.notes):
-        err.print(f"[yellow]warning: {escape(warning)}[/]")
     out.print(_table_of_passes(result))
     out.print(f"{escape(str(folder))}: open overview.png first")
     return 0
@@ -71,6 +71,12 @@ def warmup() -> int:
     place = cache_folder() or "nowhere: no folder can be written to, see SSS_REF_CACHE_DIR"
     out.print(f"kernels ready after {time.perf_counter() - start:.1f} s, kept in {escape(str(place))}")
     return 0
+
+
+def _warn(warnings: Iterable[str]) -> None:
+    """Say what may surprise, before the work goes on."""
+    for warning in warnings:
+        err.print(f"[yellow]warning: {escape(warning)}[/]")
 
 
 def _rendered(scene: "Scene", wanted: Wanted, execution: Execution, on_pass: Callable[[str], None]) -> "Result":

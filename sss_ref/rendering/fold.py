@@ -19,6 +19,7 @@ from sss_ref.interpret.kernel import loops
 from sss_ref.language.pipeline import Pass
 from sss_ref.raster.viewport import FINEST
 from sss_ref.rendering.draw import Buffers, Machine, Sketch, draw, shade
+from sss_ref.rendering.nothing_shown import hidden, nothing_drawn
 from sss_ref.rendering.result import Result
 from sss_ref.scene.scene import Scene
 
@@ -51,6 +52,7 @@ def render(
     buffers: dict[str, np.ndarray] = {}
     timings: dict[str, float] = {}
     notes: list[str] = []
+    unshown: list[str] = []
     with _pool(threads) as pool:
         machine = Machine(INTERPRETERS[interpreter], pool, subpixel_bits)
         for this_pass, read_later in scene.method.only(kept).in_order():
@@ -61,9 +63,12 @@ def render(
             there = buffers | sketch.written | shaded(scene, this_pass, sketch, buffers, needed, machine)
             buffers = {name: buffer for name, buffer in there.items() if name in needed}
             notes += sketch.notes
+            unshown += nothing_drawn(scene, this_pass, sketch)
             timings[this_pass.name] = time.perf_counter() - start
     in_stage_order = {name: buffers[name] for name in scene.method.values if name in kept}
-    return Result(scene, in_stage_order, timings, notes=tuple(notes))
+    if "image" in kept and not unshown:
+        unshown += hidden(scene, buffers["image"])
+    return Result(scene, in_stage_order, timings, notes=(*notes, *unshown))
 
 
 def shaded(

@@ -19,7 +19,7 @@ class Result:
     """The kept buffers of a rendering, in stage order.
 
     buffers: name -> (H, W) or (H, W, C), row 0 at the bottom. timings: pass -> seconds.
-    notes: what the mesh's UV layout made of the irradiance map, where that may surprise.
+    notes: what may surprise: of the mesh's UV layout, and where nothing is drawn or the image hides it.
     """
 
     scene: Scene

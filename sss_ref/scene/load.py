@@ -2,31 +2,28 @@
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import cached_property, partial
+from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sss_ref.errors import SceneError
 from sss_ref.mesh.mesh_file import load_mesh
-from sss_ref.mesh.topology import is_inside, is_watertight
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.mesh.unwrap import unwrapped
 from sss_ref.scene.albedo import albedo_of, albedo_warnings
 from sss_ref.scene.memory import check_memory
+from sss_ref.scene.placed_mesh import PlacedMesh
 from sss_ref.scene.scene import Scene
+from sss_ref.scene.surprises import surprises
 from sss_ref.scene_file.quantities import FLOAT32_OVERFLOW
 from sss_ref.scene_file.reading import Document, opened, validated
 from sss_ref.scene_file.settings import SceneFile, ShadowMap
 from sss_ref.scene_file.shipped import find_mesh
 from sss_ref.scene_file.viewpoints import Camera, LightSettings
-from sss_ref.view.light_fit import Bounds, fitted
-from sss_ref.view.matrices import Matrix, Vector, length, placement, transformed
+from sss_ref.view.light_fit import fitted
+from sss_ref.view.matrices import placement
 from sss_ref.view.views import Light, View, camera_view, light_of
-
-FAR_FROM_ORIGIN = 100  # bounding-sphere radii beyond which float32 positions are coarse
 
 
 def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any], /, **overrides: Any) -> Scene:
@@ -45,35 +42,10 @@ def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any], /, **overrides
     return _assembled(settings, document, unwrapped(mesh) if settings.mesh.unwrap else mesh)
 
 
-@dataclass(frozen=True, eq=False)
-class _Surface:
-    """A mesh at its place in the world."""
-
-    mesh: Mesh
-    world_from_model: Matrix
-
-    @cached_property
-    def points(self) -> NDArray[np.float64]:
-        """World positions of the vertices (V, 3)."""
-        return transformed(self.world_from_model, self.mesh.positions)
-
-    @cached_property
-    def bounds(self) -> Bounds:
-        return Bounds.around(self.points)
-
-    @cached_property
-    def is_watertight(self) -> bool:
-        return is_watertight(self.mesh.positions, self.mesh.triangles)
-
-    def encloses(self, point: Vector) -> bool:
-        """Whether a point is inside; False where the surface has holes and the question no answer."""
-        return self.bounds.holds(point) and self.is_watertight and is_inside(point, self.points[self.mesh.triangles])
-
-
 def _assembled(settings: SceneFile, document: Document, mesh: Mesh) -> Scene:
     """The scene with its lights fitted to the mesh; raises one SceneError for all that does not fit together."""
     place = settings.mesh
-    surface = _Surface(mesh, placement(*map(np.array, (place.scale, place.rotate_degrees, place.translate))))
+    surface = PlacedMesh(mesh, placement(*map(np.array, (place.scale, place.rotate_degrees, place.translate))))
     steps: dict[str, Callable[[], Any]] = {
         "mesh": partial(_check_extent, surface),
         "method": partial(_check_uvs, settings.method, mesh),
@@ -93,7 +65,7 @@ def _assembled(settings: SceneFile, document: Document, mesh: Mesh) -> Scene:
         camera,
         lights,
         albedo,
-        (*albedo_warnings(place, mesh), *_warnings(surface, camera, lights)),
+        (*albedo_warnings(place, mesh), *surprises(resolved, surface, camera, lights)),
     )
 
 
@@ -110,7 +82,7 @@ def _gathered(source: str, steps: Mapping[str, Callable[[], Any]]) -> list[Any]:
     return results
 
 
-def _check_extent(surface: _Surface) -> None:
+def _check_extent(surface: PlacedMesh) -> None:
     reach = float(np.abs(surface.points).max())
     if reach >= FLOAT32_OVERFLOW:
         raise SceneError(f"expected world positions that fit float32, got {reach:g}; choose a smaller scale")
@@ -121,11 +93,11 @@ def _check_uvs(method: str, mesh: Mesh) -> None:
         raise SceneError(f"expected a mesh with UVs, got {mesh.name} without; set mesh.unwrap = true")
 
 
-def _placed_camera(camera: Camera, surface: _Surface) -> View:
+def _placed_camera(camera: Camera, surface: PlacedMesh) -> View:
     return _finite(camera_view(camera), surface)
 
 
-def _placed_light(light: LightSettings, shadow_map: ShadowMap, surface: _Surface) -> tuple[LightSettings, Light]:
+def _placed_light(light: LightSettings, shadow_map: ShadowMap, surface: PlacedMesh) -> tuple[LightSettings, Light]:
     """The light with nothing left open, and what the passes see of it."""
     if surface.encloses(np.array(light.position)):
         raise SceneError(f"expected a light outside the mesh, got {list(light.position)} inside; move it out")
@@ -135,25 +107,10 @@ def _placed_light(light: LightSettings, shadow_map: ShadowMap, surface: _Surface
     return light, result
 
 
-def _finite(view: View, surface: _Surface) -> View:
+def _finite(view: View, surface: PlacedMesh) -> View:
     """`view`, if its matrices have numbers in them."""
     with np.errstate(all="ignore"):
         matrix = view.clip_from(surface.world_from_model)
     if not np.isfinite(matrix).all():
         raise SceneError("expected a projection that fits float32, got larger numbers; bring eye, near and far closer")
     return view
-
-
-def _warnings(surface: _Surface, camera: View, lights: tuple[Light, ...]) -> tuple[str, ...]:
-    bounds = surface.bounds
-    found = [f"mesh: {note}" for note in surface.mesh.notes]
-    if surface.encloses(camera.eye):
-        found.append("camera: it is inside the mesh and sees its back faces")
-    for number, light in enumerate(lights):
-        if bounds.holds(light.position) and not surface.is_watertight:
-            found.append(f"lights[{number}]: it may be inside the mesh, which has holes")
-    if length(bounds.centre) > FAR_FROM_ORIGIN * bounds.radius:
-        found.append(
-            f"mesh: it is more than {FAR_FROM_ORIGIN} radii from the origin, where float32 positions are coarse"
-        )
-    return tuple(found)

@@ -86,9 +86,14 @@ def test_camera_inside(small):
 
 def test_mesh_far_from_the_origin(small):
     # The radius is sqrt(3) / 2; 100 radii are 86.6.
-    assert load_scene(small, **{"mesh.translate": [86, 0, 0]}).warnings == ()
+    near = load_scene(small, **{"mesh.translate": [86, 0, 0]})
+    assert not any(line.startswith("mesh:") for line in near.warnings)
     far = load_scene(small, **{"mesh.translate": [87, 0, 0]})
-    assert far.warnings == ("mesh: it is more than 100 radii from the origin, where float32 positions are coarse",)
+    assert far.warnings[0] == (
+        "mesh: it is more than 100 radii from the origin, where float32 positions are coarse; "
+        "set mesh.translate = [-0.5, -0.5, -0.5] and move camera and lights along"
+    )
+    assert load_scene(small, **{"mesh.translate": [-0.5, -0.5, -0.5]}).warnings == ()
 
 
 def test_notes_of_the_mesh_become_warnings(small, data_folder):
