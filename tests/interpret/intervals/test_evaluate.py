@@ -42,7 +42,7 @@ from sss_ref.numerics.interval import Interval
 from sss_ref.passes.blur import scatter
 from sss_ref.passes.translucency import translucency_ratio
 from sss_ref.rendering.draw import Machine, draw
-from sss_ref.rendering.fold import run
+from sss_ref.rendering.fold import shaded
 
 F = np.float32
 VULKAN, IEEE = PROFILES["vulkan"], PROFILES["ieee"]
@@ -345,7 +345,7 @@ def works_of(scene, **overrides):
     method, recording = loaded.method, Recording()
     wanted, buffers, machine = set(method.outputs), {}, Machine(recording)
     for one in method.only(wanted).passes:
-        buffers |= run(loaded, one, draw(loaded, one, buffers, machine), buffers, wanted, machine)
+        buffers |= shaded(loaded, one, draw(loaded, one, buffers, machine), buffers, wanted, machine)
     return recording.works
 
 
