@@ -99,18 +99,18 @@ class Case:
 
     def drawn(self, this_pass: Pass) -> DrawnPass:
         """A pass, with the triangles that were dumped, or those that every right processor shows."""
-        scene, seen = self.oracle.scene, self.visible(this_pass)
-        if seen:
-            boxes, (varyings, _) = seen.boxes, varying_columns(this_pass)
+        scene, rasterized = self.oracle.scene, self.visible(this_pass)
+        if rasterized:
+            boxes, (varyings, _) = rasterized.boxes, varying_columns(this_pass)
             size = boxes.viewport.width, boxes.viewport.height
-            piece = seen.shown(self.drawing.buffers)
+            piece = rasterized.shown(self.drawing.buffers)
             fragments = Fragments(*size, boxes.primitives, piece, boxes.viewport.step, varyings)
         else:
             fragments = draw(scene, this_pass, self.buffers, self._machine).fragments
         read = {name for stage in this_pass.stages for name in stage.reads.values()} & set(self.buffers)
         known = {name: self.drawing.as_read(name, self.buffers[name]) for name in read}
         work = Work(this_pass, fragments, scene.uniforms, self.buffers, {}, {})
-        return DrawnPass(work, known, seen, self.drawing, self.profile)
+        return DrawnPass(work, known, rasterized, self.drawing, self.profile)
 
     def visible(self, this_pass: Pass) -> Visible | None:
         """What the rasterizer may show in a pass; a draw that reads no buffer is the same for all dumps, done once."""

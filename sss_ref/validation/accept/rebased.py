@@ -60,14 +60,14 @@ def _as_stored(check: Check, case: Case) -> Check:
 
 def _checks_of_draw(case: Case, drawn: DrawnPass) -> Iterator[Check]:
     """What the rasterizer wrote: it may show any triangle that is visible on a right processor, as deep as it is."""
-    oracle, dumped, seen = case.oracle, case.drawing.buffers, drawn.visible
-    reach = seen.reach(oracle.buffers, dumped) if seen else {}
+    oracle, dumped, visible = case.oracle, case.drawing.buffers, drawn.visible
+    reach = visible.reach(oracle.buffers, dumped) if visible else {}
     for name in (name for name in drawn.this_pass.draw.outputs if name in dumped):
         expected = oracle[name]
         near = reach.get(name, np.zeros(expected.shape))
         everywhere = np.ones(expected.shape, bool)
         check = Check(drawn.this_pass.name, RASTERIZER, name, everywhere, expected, dumped[name], near)
-        yield replace(check, undecided=seen.several, covered=seen.covered) if seen else check
+        yield replace(check, undecided=visible.several, covered=visible.covered) if visible else check
 
 
 def _checks_of_stages(case: Case, drawn: DrawnPass) -> Iterator[Check]:

@@ -17,22 +17,22 @@ DIAGONALS = {
 Redrawn = tuple[str, Primitives, Viewport, bool]  # in words, what is drawn, into what, and whether the last one wins
 
 
-def mishaps(seen: Visible, name: str, got: np.ndarray, wrong: np.ndarray) -> Iterator[tuple[str, float]]:
+def mishaps(visible: Visible, name: str, got: np.ndarray, wrong: np.ndarray) -> Iterator[tuple[str, float]]:
     """Every mishap, and the share of the pixels of a buffer (H, W) that it explains, half of it of the wrong ones."""
-    for text, primitives, viewport, last in _drawings(seen):
+    for text, primitives, viewport, last in _drawings(visible):
         drawn = only(primitives, drawable(primitives))
         piece, depth = visibility(drawn, viewport, None, later_wins=last)
         shown = np.append(drawn.triangle, np.int32(-1))[piece]
-        if name == seen.draw.depth:
+        if name == visible.draw.depth:
             with np.errstate(invalid="ignore"):
                 same = np.abs(got - depth) <= SAME_DEPTH
         else:
-            same = got == (shown if name == seen.draw.triangle else shown >= 0)
+            same = got == (shown if name == visible.draw.triangle else shown >= 0)
         yield text, float((same[wrong].mean() + same.mean()) / 2)
 
 
-def _drawings(seen: Visible) -> Iterator[Redrawn]:
-    primitives, viewport, layout = seen.boxes.primitives, seen.boxes.viewport, seen.draw.layout
+def _drawings(visible: Visible) -> Iterator[Redrawn]:
+    primitives, viewport, layout = visible.boxes.primitives, visible.boxes.viewport, visible.draw.layout
     step, snapped = viewport.step, primitives.snapped
     turn = _turns(primitives)
     yield "triangles that turn clockwise in the window are culled", only(primitives, turn > 0), viewport, layout
@@ -58,14 +58,14 @@ def _drawings(seen: Visible) -> Iterator[Redrawn]:
     yield "x and y are swapped", _at(primitives, snapped[:, ::-1]), viewport, False
     for bits in {4, 8} - {viewport.subpixel_bits}:
         other = Viewport(viewport.width, viewport.height, bits)
-        snapped_there = np.rint(seen.boxes.centre * other.step)
+        snapped_there = np.rint(visible.boxes.centre * other.step)
         yield (
             f"it snaps to {bits} subpixel bits, so choose such a profile",
             _at(primitives, snapped_there),
             other,
             False,
         )
-    cut_off = np.floor(seen.boxes.centre * step)
+    cut_off = np.floor(visible.boxes.centre * step)
     yield (
         "it snaps by cutting off, so choose a profile that may (snap = any)",
         _at(primitives, cut_off),

@@ -27,7 +27,7 @@ def as_json(report: Report) -> dict[str, Any]:
         "outcomes": list(OUTCOMES),
         "ulp_classes": list(ULP_CLASSES),
         "width_classes": list(WIDTH_CLASSES),
-        "buffers": [_buffer(one) for one in report.verdicts],
+        "buffers": [_buffer(verdict) for verdict in report.verdicts],
         "worst_lines": [_line(row) for row in (section.rows if section else ())],
         "power": [asdict(each) for each in report.power],
         "likeness": [asdict(each) for each in report.likeness],
@@ -35,24 +35,24 @@ def as_json(report: Report) -> dict[str, Any]:
     }
 
 
-def _buffer(one: Verdict) -> dict[str, Any]:
+def _buffer(verdict: Verdict) -> dict[str, Any]:
     return {
-        "pass": one.pass_name,
-        "stage": one.stage,
-        "buffer": one.buffer,
-        "passed": one.passed,
-        "inherits": one.inherits,
-        "pixels": one.compared,
-        "same_bits": one.equal,
-        "within_chained": one.chained,
-        "outcomes": list(one.outcomes),
-        "ulps": list(one.ulps),
-        "widths": list(one.widths.counts),
-        "width_of_95_percent": _finite(one.widths.most),
-        "first": _pixel(one.first),
-        "worst": _pixel(one.worst),
-        "clusters": asdict(one.clusters) if one.clusters else None,
-        "suspects": list(one.suspects),
+        "pass": verdict.pass_name,
+        "stage": verdict.stage,
+        "buffer": verdict.buffer,
+        "passed": verdict.passed,
+        "inherits": verdict.inherits,
+        "pixels": verdict.compared,
+        "same_bits": verdict.equal,
+        "within_chained": verdict.chained,
+        "outcomes": list(verdict.outcomes),
+        "ulps": list(verdict.ulps),
+        "widths": list(verdict.widths.counts),
+        "width_of_95_percent": _finite(verdict.widths.most),
+        "first": _pixel(verdict.first),
+        "worst": _pixel(verdict.worst),
+        "clusters": asdict(verdict.clusters) if verdict.clusters else None,
+        "suspects": list(verdict.suspects),
     }
 
 

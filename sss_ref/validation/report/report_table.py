@@ -20,7 +20,7 @@ HEADS = ("buffer", "outcome", "pixels", "same bits", *OUTCOMES, "chained", "widt
 def buffer_table(verdicts: Sequence[Verdict]) -> str:
     """A row for every buffer, grouped by passes."""
     head = "".join(f"<th>{escape(name)}</th>" for name in HEADS)
-    body = "".join(_pass_rows(name, group) for name, group in groupby(verdicts, lambda one: one.pass_name))
+    body = "".join(_pass_rows(name, group) for name, group in groupby(verdicts, lambda verdict: verdict.pass_name))
     table = f'<table class="buffers"><thead><tr>{head}</tr></thead>{body}</table>'
     return f'<div class="scroll">{table}</div>{legend()}{_classes()}'
 
@@ -37,13 +37,14 @@ def _pass_rows(name: str, verdicts: Iterable[Verdict]) -> str:
     return f"<tbody>{head}{''.join(map(_row, verdicts))}</tbody>"
 
 
-def _row(one: Verdict) -> str:
-    counts = [f"{count:,}" if count else "·" for count in one.outcomes]
-    same, whole = (_share(count, one.compared) for count in (one.equal, one.chained))
-    widths, ulps = _histogram(one.widths.counts, WIDTH_CLASSES), _histogram(one.ulps, ULP_CLASSES)
-    name = f"{escape(one.buffer)}<small>{escape(one.stage)}</small>"
-    texts = [name, _outcome_bar(one), f"{one.compared:,}", same, *counts, whole, widths, compact(one.widths.most), ulps]
-    kind = ' class="inherits"' if one.inherits else "" if one.passed else ' class="fail"'
+def _row(verdict: Verdict) -> str:
+    counts = [f"{count:,}" if count else "·" for count in verdict.outcomes]
+    same, whole = (_share(count, verdict.compared) for count in (verdict.equal, verdict.chained))
+    widths, ulps = _histogram(verdict.widths.counts, WIDTH_CLASSES), _histogram(verdict.ulps, ULP_CLASSES)
+    name = f"{escape(verdict.buffer)}<small>{escape(verdict.stage)}</small>"
+    compared, most = f"{verdict.compared:,}", compact(verdict.widths.most)
+    texts = [name, _outcome_bar(verdict), compared, same, *counts, whole, widths, most, ulps]
+    kind = ' class="inherits"' if verdict.inherits else "" if verdict.passed else ' class="fail"'
     return f"<tr{kind}>{''.join(f'<td>{text}</td>' for text in texts)}</tr>"
 
 
@@ -51,9 +52,9 @@ def _share(count: int | None, total: int) -> str:
     return "·" if count is None or not total else f"{count / total:.2%}"
 
 
-def _outcome_bar(one: Verdict) -> str:
+def _outcome_bar(verdict: Verdict) -> str:
     """A bar whose parts are as wide as the shares of the outcomes, none that is there thinner than two pixels."""
-    there = [(name, count) for name, count in zip(OUTCOMES, one.outcomes, strict=True) if count]
+    there = [(name, count) for name, count in zip(OUTCOMES, verdict.outcomes, strict=True) if count]
     parts = (
         f'<i title="{name} {count}" style="flex:{count} 0 {LEAST}px;background:{css_colour(name)}"></i>'
         for name, count in there
@@ -80,11 +81,11 @@ def _classes() -> str:
     return f'<p class="soft">Widths of the intervals, in ulp: {widths}; {most}. Ulp off: {ulps}.</p>'
 
 
-def _power_row(one: Power) -> str:
+def _power_row(power: Power) -> str:
     numbers = "".join(
         f'<span class="number{" blind" if each.change is None else ""}">{escape(str(each))}</span>'
-        for each in one.numbers
+        for each in power.numbers
     )
-    unseen = "".join(f"<div>not: <code>{escape(text)}</code></div>" for text in one.unseen)
-    seen = f"{one.seen} of {one.mistakes}" if one.mistakes else "·"
-    return f"<tr><td>{escape(one.stage)}</td><td>{numbers}</td><td>{seen}{unseen}</td></tr>"
+    unseen = "".join(f"<div>not: <code>{escape(text)}</code></div>" for text in power.unseen)
+    seen = f"{power.seen} of {power.mistakes}" if power.mistakes else "·"
+    return f"<tr><td>{escape(power.stage)}</td><td>{numbers}</td><td>{seen}{unseen}</td></tr>"

@@ -82,7 +82,7 @@ def list_candidates(primitives, geometry, nearest):
     """The columns of `Candidates`, in scene order: pieces that may cover a sample in front of what is certain there."""
     height, width = nearest.shape
     size, count = max(1024, nearest.size), 0
-    pixel, places = np.empty(size, np.int64), np.empty(size, np.int32)
+    pixel, pieces = np.empty(size, np.int64), np.empty(size, np.int32)
     low, high = np.empty(size), np.empty(size)
     inside, certain, band = np.empty(size, np.bool_), np.empty(size, np.bool_), np.empty(size, np.uint8)
     for piece in range(len(primitives.corners)):
@@ -98,15 +98,15 @@ def list_candidates(primitives, geometry, nearest):
                     continue
                 if count == size:
                     size *= 2
-                    pixel, places = grown(pixel), grown(places)
+                    pixel, pieces = grown(pixel), grown(pieces)
                     low, high = grown(low), grown(high)
                     inside, certain, band = grown(inside), grown(certain), grown(band)
-                pixel[count], places[count] = row * width + column, piece
+                pixel[count], pieces[count] = row * width + column, piece
                 low[count], high[count] = least, most
                 inside[count] = is_inside(primitives, piece, column, row, geometry.step)
                 certain[count], band[count] = must, bits
                 count += 1
-    return pixel[:count], places[:count], low[:count], high[:count], inside[:count], certain[:count], band[:count]
+    return pixel[:count], pieces[:count], low[:count], high[:count], inside[:count], certain[:count], band[:count]
 
 
 @compiled
