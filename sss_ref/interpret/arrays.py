@@ -8,7 +8,7 @@ import numpy as np
 
 from sss_ref.interpret.work import Work, buffer_value, store, uniform_value
 from sss_ref.language.layout import CHANNELS
-from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL, MeshDraw, Pass
+from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL, Pass
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import components, ivec2
 from sss_ref.raster.interpolate import interpolate_arrays
@@ -28,8 +28,7 @@ def run_vertices(
     mesh: vertex attribute -> float32 (V, C). uniforms: with the textures that the stage reads, as in `Work`.
     varyings: name -> first column.
     """
-    assert isinstance(this_pass.draw, MeshDraw)
-    stage, inputs = this_pass.draw.vertex, []
+    (stage,), inputs = this_pass.draw.vertex_stages, []
     for own, kind in stage.parameters.items():
         raw = mesh[own] if own in MESH_ATTRIBUTES else uniforms[stage.reads[own]]
         inputs.append(kind(*raw.T) if own in MESH_ATTRIBUTES else uniform_value(kind, raw))
@@ -95,13 +94,14 @@ def draw_values(work: Work, rows: np.ndarray, columns: np.ndarray) -> dict[str, 
     pixel = ivec2(columns.astype(np.int32), rows.astype(np.int32))
     values: dict[str, Any] = {PIXEL: pixel}
     draw, fragments = work.this_pass.draw, work.fragments
-    if not isinstance(draw, MeshDraw) or fragments.primitives is None or fragments.piece is None:
+    if not draw.vertex_stages:
         return values
-    pieces = fragments.piece[rows, columns]
-    attributes = interpolate_arrays(fragments.primitives, pieces, columns, rows, fragments.step)
+    primitives, piece = fragments.of_mesh
+    pieces = piece[rows, columns]
+    attributes = interpolate_arrays(primitives, pieces, columns, rows, fragments.step)
     for name, first in fragments.varyings.items():
         kind = draw.varyings[name]
         values[name] = kind(*attributes.T[first : first + CHANNELS[kind]])
-    values[draw.triangle] = fragments.primitives.triangle[pieces]
+    values[draw.triangle] = primitives.triangle[pieces]
     values[draw.coverage] = np.ones(len(rows), bool)
     return values

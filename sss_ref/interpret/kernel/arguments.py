@@ -9,7 +9,8 @@ import numpy as np
 
 from sss_ref.interpret.kernel.lower import suffixes
 from sss_ref.language.layout import FLOAT32
-from sss_ref.language.pipeline import MESH_ATTRIBUTES, MeshDraw, Pass, ScreenDraw
+from sss_ref.language.pipeline import MESH_ATTRIBUTES, Draw, Pass
+from sss_ref.language.stage import Stage
 from sss_ref.language.types import mat3, mat4, vec2, vec3, vec4
 
 FLOATS: dict[Any, list[str]] = {  # type -> how its floats are named
@@ -35,9 +36,9 @@ class Arguments:
     filled: tuple[str, ...]
 
     @classmethod
-    def of_vertices(cls, draw: MeshDraw) -> "Arguments":
-        """Those of `vertices`, which runs the vertex stage of a draw."""
-        return cls((), vertex_reads(draw), MESH_ATTRIBUTES, ("clip_position", "attributes"))
+    def of_vertices(cls, stage: Stage) -> "Arguments":
+        """Those of `vertices`, which runs a vertex stage."""
+        return cls((), vertex_reads(stage), MESH_ATTRIBUTES, ("clip_position", "attributes"))
 
     @classmethod
     def of_fragments(cls, this_pass: Pass, buffers: Collection[str], outputs: Iterable[str]) -> "Arguments":
@@ -91,13 +92,13 @@ class Arguments:
         return call
 
 
-def vertex_reads(draw: MeshDraw) -> dict[str, Any]:
+def vertex_reads(stage: Stage) -> dict[str, Any]:
     """Name -> type of what `vertices` reads: attributes of the mesh, uniforms and textures."""
-    return {draw.vertex.reads[own]: kind for own, kind in draw.vertex.parameters.items()}
+    return {stage.reads[own]: kind for own, kind in stage.parameters.items()}
 
 
-def _of_draw(draw: MeshDraw | ScreenDraw) -> tuple[str, ...]:
+def _of_draw(draw: Draw) -> tuple[str, ...]:
     """What tells where a draw has fragments."""
-    if isinstance(draw, MeshDraw):
+    if draw.vertex_stages:
         return "piece", "primitives", "step"
     return ("stencil",) if draw.stencil else ()

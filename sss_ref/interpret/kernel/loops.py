@@ -24,7 +24,7 @@ from sss_ref.interpret.kernel.canonical import canonical_names, canonical_work, 
 from sss_ref.interpret.kernel.source import fragment_source, vertex_source
 from sss_ref.interpret.work import Work
 from sss_ref.language.layout import FLOAT32
-from sss_ref.language.pipeline import MeshDraw, Pass
+from sss_ref.language.pipeline import Pass
 
 BAND = 32  # rows a task
 
@@ -43,14 +43,14 @@ def run_vertices(
     """
     rename = canonical_names(this_pass)
     canonical = renamed(this_pass, rename)
-    assert isinstance(this_pass.draw, MeshDraw) and isinstance(canonical.draw, MeshDraw)
+    (stage,), (canonical_stage,) = this_pass.draw.vertex_stages, canonical.draw.vertex_stages
     module = _imported(vertex_source(canonical, varyings), f"{canonical.name}_vertices")
     there = {**uniforms, **mesh}
-    read = {rename(name): there[name] for name in vertex_reads(this_pass.draw)}
+    read = {rename(name): there[name] for name in vertex_reads(stage)}
     clip_position = np.empty((len(mesh["position"]), 4), FLOAT32)
     attributes = np.empty((len(mesh["position"]), columns), FLOAT32)
     filled = {"clip_position": clip_position, "attributes": attributes}
-    Arguments.of_vertices(canonical.draw).bound(module.vertices, read, filled)()
+    Arguments.of_vertices(canonical_stage).bound(module.vertices, read, filled)()
     return clip_position, attributes
 
 

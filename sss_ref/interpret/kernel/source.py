@@ -5,7 +5,7 @@ from typing import Any, get_origin
 
 from sss_ref.interpret.kernel.arguments import OUT, Arguments
 from sss_ref.interpret.kernel.lower import INDENT, Lines, Lowering, Memory, Scalar, Value, channels, suffixes
-from sss_ref.language.pipeline import CLIP_POSITION, PIXEL, MeshDraw, Pass
+from sss_ref.language.pipeline import CLIP_POSITION, PIXEL, Draw, Pass
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import Texture
 
@@ -32,9 +32,8 @@ INTERPOLATED = "((varying[a, {k}] * wa + varying[b, {k}] * wb) + varying[c, {k}]
 
 def vertex_source(this_pass: Pass, varyings: Mapping[str, int]) -> str:
     """The source of the module with `vertices`; varyings: the wanted ones -> their first attribute column."""
-    assert isinstance(this_pass.draw, MeshDraw)
-    lines = Lines(depth=2)
-    return _module(this_pass, (this_pass.draw.vertex,), vertex_function(this_pass.draw, varyings, lines), lines)
+    (stage,), lines = this_pass.draw.vertex_stages, Lines(depth=2)
+    return _module(this_pass, (stage,), vertex_function(stage, varyings, lines), lines)
 
 
 def fragment_source(
@@ -68,22 +67,22 @@ def unpacked(arguments: Arguments, lines: Lines) -> dict[str, Value]:
     return values
 
 
-def vertex_function(draw: MeshDraw, varyings: Mapping[str, int], lines: Lines) -> str:
+def vertex_function(stage: Stage, varyings: Mapping[str, int], lines: Lines) -> str:
     """`vertices`, which fills `clip_position` and `attributes`."""
-    arguments = Arguments.of_vertices(draw)
+    arguments = Arguments.of_vertices(stage)
     for name in arguments.loose:
         lines.fresh(name)
     values = unpacked(arguments, lines)
     for name in (name for name in arguments.loose if name in arguments.arrays):
         ends = enumerate(suffixes(arguments.reads[name]))
         values[name] = [lines.bind(name + end, Scalar(f"{name}[vertex, {k}]", False, False)) for k, end in ends]
-    names = {own: values[name] for own, name in draw.vertex.reads.items()}
-    results = Lowering(lines, names).run(draw.vertex.body)
+    names = {own: values[name] for own, name in stage.reads.items()}
+    results = Lowering(lines, names).run(stage.body)
     for k, value in enumerate(results[CLIP_POSITION]):
         lines.add(f"clip_position[vertex, {k}] = {value.text}")
     for own, scalars in results.items():
-        for k, value in enumerate(scalars if draw.vertex.writes[own] in varyings else []):
-            lines.add(f"attributes[vertex, {varyings[draw.vertex.writes[own]] + k}] = {value.text}")
+        for k, value in enumerate(scalars if stage.writes[own] in varyings else []):
+            lines.add(f"attributes[vertex, {varyings[stage.writes[own]] + k}] = {value.text}")
     loop = f"{INDENT}for vertex in range(len(clip_position)):"
     return _function("vertices", arguments, [*(INDENT + line for line in lines.before), loop, *lines.inside])
 
@@ -107,7 +106,7 @@ class _FragmentLoop:
         self.values |= unpacked(self.arguments, self.lines)
         self.values[PIXEL] = [Scalar("column", False, True), Scalar("row", False, True)]
         draw = self.this_pass.draw
-        if isinstance(draw, MeshDraw):
+        if draw.vertex_stages:
             self.interpolation(draw)
         for stage in self.this_pass.stages:
             self.stage(stage)
@@ -123,7 +122,7 @@ class _FragmentLoop:
 
     def skip(self) -> list[str]:
         """Leave a pixel without fragment to the background."""
-        if isinstance(self.this_pass.draw, MeshDraw):
+        if self.this_pass.draw.vertex_stages:
             test = [INDENT * 3 + "here = piece[row, column]", INDENT * 3 + "if here < 0:"]
         elif self.this_pass.draw.stencil:
             test = [INDENT * 3 + "if stencil[row, column] == 0:"]
@@ -136,7 +135,7 @@ class _FragmentLoop:
         ]
         return [*test, *clear, INDENT * 4 + "continue"]
 
-    def interpolation(self, draw: MeshDraw) -> None:
+    def interpolation(self, draw: Draw) -> None:
         """The varyings of this fragment."""
         for line in CORNERS:
             self.lines.add(line)

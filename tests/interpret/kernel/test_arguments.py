@@ -94,6 +94,6 @@ def test_what_a_function_is_told_of_its_draw(draw, drawn):
 
 
 def test_a_vertex_function_takes_the_attributes_it_reads_as_arrays():
-    arguments = Arguments.of_vertices(MeshDraw(mesh_vertex))
+    arguments = Arguments.of_vertices(mesh_vertex)
     assert arguments.names == [UNIFORMS, "position", "normal", "uv", "clip_position", "attributes"]
     assert arguments.packed == ["world_from_model", "normal_from_model", "clip_from_model"]
