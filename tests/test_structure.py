@@ -9,11 +9,13 @@ from collections import Counter
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
+from pkgutil import iter_modules
 
 import pytest
 from alternatives import all_methods
 from package_sources import PACKAGE, SOURCES, circles, import_graph, imported_names, module_name
 
+import sss_ref.passes
 from sss_ref.methods.stages import all_stages
 from sss_ref.passes.buffers import BUFFERS, described, entry_of
 
@@ -206,3 +208,8 @@ def test_every_pass_reads_only_what_is_there_before_it():
         for one in method.passes:
             assert one.needs & set(BUFFERS) - {"background"} <= there
             there |= set(one.outputs)
+
+
+def test_the_table_of_contents_of_the_passes_names_every_file():
+    named = re.findall(r"`(\w+)`", sss_ref.passes.__doc__)  # what has a dot is elsewhere
+    assert sorted(named) == sorted(module.name for module in iter_modules(sss_ref.passes.__path__))

@@ -41,12 +41,14 @@ class ShaderPair:
 
 
 def own_shaders(
-    one: Pass, buffers: Collection[str], wanted: Collection[str], lengths: Mapping[str, int]
+    this_pass: Pass, buffers: Collection[str], wanted: Collection[str], lengths: Mapping[str, int]
 ) -> list[ShaderPair]:
     """The shaders of a pass, translated; the other arguments as `fragment_shader` takes them."""
     return [
-        ShaderPair(name, vertex_shader(one, lengths), fragment_shader(one, buffers, outputs, lengths), outputs)
-        for name, outputs in draws(one, wanted).items()
+        ShaderPair(
+            name, vertex_shader(this_pass, lengths), fragment_shader(this_pass, buffers, outputs, lengths), outputs
+        )
+        for name, outputs in draws(this_pass, wanted).items()
     ]
 
 
@@ -72,7 +74,7 @@ def shader_folder(folder: Path, settings: SceneFile) -> dict[str, list[Path]]:
     return {name: files[name] for name in passes if name in files}
 
 
-def user_shaders(one: Pass, files: Files, lengths: Mapping[str, int]) -> list[ShaderPair]:
+def user_shaders(this_pass: Pass, files: Files, lengths: Mapping[str, int]) -> list[ShaderPair]:
     """The shaders of a pass from files: fragment shaders, and at most one vertex shader, known by its suffix .vert.
 
     A fragment shader says what it writes: layout(location = 0) out vec3 out_lit. It reads uniforms and textures by the
@@ -80,9 +82,9 @@ def user_shaders(one: Pass, files: Files, lengths: Mapping[str, int]) -> list[Sh
     """
     paths = [Path(files)] if isinstance(files, str | PathLike) else [Path(path) for path in files]
     texts = {path: _text(path) for path in paths}
-    vertex = [text for path, text in texts.items() if path.suffix == ".vert"] or [vertex_shader(one, lengths)]
+    vertex = [text for path, text in texts.items() if path.suffix == ".vert"] or [vertex_shader(this_pass, lengths)]
     fragments = {path: text for path, text in texts.items() if path.suffix != ".vert"}
-    return [ShaderPair(str(path), vertex[0], text, _outputs(one, path, text)) for path, text in fragments.items()]
+    return [ShaderPair(str(path), vertex[0], text, _outputs(this_pass, path, text)) for path, text in fragments.items()]
 
 
 def _text(path: Path) -> str:
@@ -92,18 +94,20 @@ def _text(path: Path) -> str:
         raise ShaderError(f"{path}: expected GLSL source, got {error}; check the path") from None
 
 
-def _outputs(one: Pass, path: Path, text: str) -> tuple[str, ...]:
+def _outputs(this_pass: Pass, path: Path, text: str) -> tuple[str, ...]:
     """The buffers that a fragment shader says it writes, by location."""
-    ours = {GLSL.out(name): name for name in one.values}
+    ours = {GLSL.out(name): name for name in this_pass.values}
     found = sorted((int(location), ours.get(OUT + name, name)) for location, name in OUTPUT.findall(text))
     names = tuple(name for _, name in found)
-    listed = ", ".join(one.values)
+    listed = ", ".join(this_pass.values)
     if not found or [location for location, _ in found] != list(range(min(len(found), GLSL.most_outputs))):
         raise ShaderError(
             f"{path}: expected outputs at locations 0, 1 ... of 1 to {GLSL.most_outputs} buffers ({listed}), got "
             f"{len(found)}; declare each as layout(location = 0) out vec3 {OUT}NAME"
         )
     for name in names:
-        if name not in one.values:
-            raise ShaderError(f"{path}: expected outputs of pass {one.name} ({listed}), got {OUT}{name}; rename it")
+        if name not in this_pass.values:
+            raise ShaderError(
+                f"{path}: expected outputs of pass {this_pass.name} ({listed}), got {OUT}{name}; rename it"
+            )
     return names

@@ -1,1 +1,18 @@
-"""The stages, one file for each of the paper's nouns; read them beside the paper."""
+"""The stages of the paper, one file for each of its nouns. Read them beside the paper, in the order of the light's way.
+
+1. `vertex`: where the mesh lies in the light's picture, the camera's, and the UV layout.
+2. `shadow_map`: how far the light travels to the first surface; where it entered the body and how thick that is there.
+3. `camera`: the surface that a pixel shows.
+4. `phong`: how that surface reflects the light.
+5. `translucency`: how much light comes through the body, and how it joins what is reflected.
+6. `blur`: how light that scatters below the surface leaves beside where it entered (Table 1).
+7. `composite`: the picture.
+
+Texture space (paper 2.2, 3.3) has two files more, and what it shares it takes from above:
+
+8. `irradiance`: the light that arrives, laid out flat by UV.
+9. `texture_image`: the picture from the blurred layout.
+
+`light_sum` adds several lights. Two tables name what passes from stage to stage: `buffers`, what is written, and
+`light_uniforms`, what each light has for itself. Which stages follow each other is said in `sss_ref.methods`.
+"""
