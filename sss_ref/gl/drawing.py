@@ -9,7 +9,7 @@ import numpy as np
 from sss_ref.errors import ShaderError
 from sss_ref.gl.canvas import Canvas
 from sss_ref.gl.context import open_context
-from sss_ref.gl.shaders import Files, ShaderPair, own_shaders, user_shaders
+from sss_ref.gl.shaders import Files, ShaderPair, own_shaders, user_shaders, user_vertex_file
 from sss_ref.gl.uploads import downloaded, filled
 from sss_ref.language.pipeline import Pass
 from sss_ref.scene.scene import Scene
@@ -26,7 +26,8 @@ def draw(
     The buffers are (H, W) or (H, W, C), row 0 at the bottom, as those of a rendering. A UV layout that overlaps is
     drawn even where the scene's policy is "error": OpenGL does not tell.
     shaders: pass -> the user's file or files (see `user_shaders`), drawn in the place of ours. What the rasterizer
-        writes (triangle, depth, coverage) ours draw if theirs do not; whatever else theirs leave out is missing.
+        writes (triangle, depth, coverage) ours draw if theirs do not; whatever else theirs leave out is missing. A
+        vertex shader alone is drawn with our fragment shaders.
     keep: which buffers come back, as in `sss_ref.render`; passes on demand are drawn for them alone.
     Raises ShaderError where there is no OpenGL, a shader does not compile, or a pass reads what a shader left out, and
     SceneError for an unknown buffer.
@@ -86,9 +87,11 @@ class _Drawing:
         lengths = self.canvas.lengths
         if this_pass.name not in self.shaders:
             return own_shaders(this_pass, self.textures, self.kept | set(this_pass.outputs), lengths)
-        theirs = user_shaders(this_pass, self.shaders[this_pass.name], lengths)
+        files = self.shaders[this_pass.name]
+        vertex, theirs = user_vertex_file(files), user_shaders(this_pass, files, lengths)
         written = {name for pair in theirs for name in pair.outputs}
-        return theirs + own_shaders(this_pass, self.textures, set(this_pass.draw.outputs) - written, lengths)
+        left = set(this_pass.draw.outputs) - written if theirs else self.kept | set(this_pass.outputs)
+        return theirs + own_shaders(this_pass, self.textures, left, lengths, vertex)
 
     def draw(self, this_pass: Pass, pair: ShaderPair, program: "Program") -> "dict[str, Texture]":
         """One draw into fresh textures."""

@@ -41,13 +41,19 @@ class ShaderPair:
 
 
 def own_shaders(
-    this_pass: Pass, buffers: Collection[str], wanted: Collection[str], lengths: Mapping[str, int]
+    this_pass: Pass,
+    buffers: Collection[str],
+    wanted: Collection[str],
+    lengths: Mapping[str, int],
+    vertex: Path | None = None,
 ) -> list[ShaderPair]:
-    """The shaders of a pass, translated; the other arguments as `fragment_shader` takes them."""
+    """The shaders of a pass, translated; vertex: the file of the user's vertex shader, if it is drawn with that.
+
+    The other arguments as `fragment_shader` takes them.
+    """
+    text = _text(vertex) if vertex else vertex_shader(this_pass, lengths)
     return [
-        ShaderPair(
-            name, vertex_shader(this_pass, lengths), fragment_shader(this_pass, buffers, outputs, lengths), outputs
-        )
+        ShaderPair(str(vertex or name), text, fragment_shader(this_pass, buffers, outputs, lengths), outputs)
         for name, outputs in draws(this_pass, wanted).items()
     ]
 
@@ -74,17 +80,29 @@ def shader_folder(folder: Path, settings: SceneFile) -> dict[str, list[Path]]:
     return {name: files[name] for name in passes if name in files}
 
 
+def listed(files: Files) -> list[Path]:
+    """One file or several as paths."""
+    return [Path(files)] if isinstance(files, str | PathLike) else [Path(path) for path in files]
+
+
+def user_vertex_file(files: Files) -> Path | None:
+    """The vertex shader among a pass's files, known by its suffix .vert. Raises ShaderError for a second one."""
+    found = [path for path in listed(files) if path.suffix == ".vert"]
+    if len(found) > 1:
+        raise ShaderError(f"{found[1]}: expected one vertex shader a pass, got {found[0]} as well; remove one")
+    return found[0] if found else None
+
+
 def user_shaders(this_pass: Pass, files: Files, lengths: Mapping[str, int]) -> list[ShaderPair]:
-    """The shaders of a pass from files: fragment shaders, and at most one vertex shader, known by its suffix .vert.
+    """The fragment shaders among a pass's files, each with the user's vertex shader, or else ours.
 
     A fragment shader says what it writes: layout(location = 0) out vec3 out_lit. It reads uniforms and textures by the
     names of the translated shaders. Raises ShaderError where a file cannot be read or writes what the pass does not.
     """
-    paths = [Path(files)] if isinstance(files, str | PathLike) else [Path(path) for path in files]
-    texts = {path: _text(path) for path in paths}
-    vertex = [text for path, text in texts.items() if path.suffix == ".vert"] or [vertex_shader(this_pass, lengths)]
-    fragments = {path: text for path, text in texts.items() if path.suffix != ".vert"}
-    return [ShaderPair(str(path), vertex[0], text, _outputs(this_pass, path, text)) for path, text in fragments.items()]
+    file = user_vertex_file(files)
+    vertex = _text(file) if file else vertex_shader(this_pass, lengths)
+    texts = {path: _text(path) for path in listed(files) if path.suffix != ".vert"}
+    return [ShaderPair(str(path), vertex, text, _outputs(this_pass, path, text)) for path, text in texts.items()]
 
 
 def _text(path: Path) -> str:

@@ -211,6 +211,40 @@ def test_a_shader_that_does_not_fit_is_refused(ours, tmp_path, change, message):
         draw(scene, {"camera": path})
 
 
+def test_a_vertex_shader_alone_is_drawn_with_our_fragment_shaders(ours, tmp_path):
+    """In every draw of the pass: what the rasterizer writes follows it too."""
+    scene, files = ours
+    path = tmp_path / "camera.vert"
+    path.write_text(files["camera.vert"])
+    expected = draw(scene)
+    assert {name: array.tobytes() for name, array in draw(scene, {"camera": path}).items()} == {
+        name: array.tobytes() for name, array in expected.items()
+    }
+    path.write_text(files["camera.vert"].replace("gl_Position = vertex.clip_position;", "gl_Position = vec4(2.0);"))
+    got = draw(scene, {"camera": path})
+    assert expected["coverage"].any() and not got["coverage"].any() and (got["triangle"] == -1).all()
+    fragment = tmp_path / "camera_3.frag"
+    fragment.write_text(files["camera_3.frag"])
+    got = draw(scene, {"camera": [path, fragment]})
+    assert not got["coverage"].any() and (got["triangle"] == -1).all() and not got["lit"].any()
+
+
+def test_a_vertex_shader_that_does_not_compile_is_named(ours, tmp_path):
+    scene, files = ours
+    path = tmp_path / "camera.vert"
+    path.write_text(files["camera.vert"].replace("void main()", "void main("))
+    with pytest.raises(ShaderError, match=r"camera\.vert: expected shaders that compile and link"):
+        draw(scene, {"camera": path})
+
+
+def test_a_second_vertex_shader_is_refused(ours, tmp_path):
+    scene, _ = ours
+    with pytest.raises(
+        ShaderError, match=r"b\.vert: expected one vertex shader a pass, got \S*a\.vert as well; remove"
+    ):
+        draw(scene, {"camera": [tmp_path / "a.vert", tmp_path / "b.vert"]})
+
+
 def test_a_pass_that_lacks_what_a_shader_left_out_says_so(ours, tmp_path):
     scene, files = ours
     (tmp_path / "mine.frag").write_text(files["camera_1.frag"])

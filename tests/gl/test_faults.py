@@ -248,3 +248,16 @@ def test_on_the_command_line(tmp_path, capsys):
     assert "expected the name of a pass (shadow_map, camera, blur, composite), got blurr" in capsys.readouterr().err
     assert main(["validate", "sphere", str(tmp_path / "none"), "--run-glsl", *small]) == 2
     assert "expected files NAME.frag or NAME.vert" in capsys.readouterr().err
+
+
+def test_a_vertex_shader_alone_on_the_command_line(tmp_path, capsys):
+    """Normals taken for positions: nothing but the stage of the vertices is in doubt."""
+    assert main(["glsl", "--scene", "sphere", "-o", str(tmp_path / "all"), *COMMAND[:-2]]) == 0
+    text = (tmp_path / "all" / "camera.vert").read_text()
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "camera.vert").write_text(text)
+    assert main(["validate", "sphere", str(tmp_path / "mine"), "--run-glsl", *COMMAND]) == 0
+    wrong = text.replace("transform(normal_from_model, normal)", "transform(normal_from_model, normal.yxz)")
+    (tmp_path / "mine" / "camera.vert").write_text(wrong)
+    assert main(["validate", "sphere", str(tmp_path / "mine"), "--run-glsl", *COMMAND]) == 1
+    assert "camera/mesh_vertex" in capsys.readouterr().out
