@@ -12,7 +12,8 @@ from itertools import chain
 import numpy as np
 
 from sss_ref.language.pipeline import Pass
-from sss_ref.validation.accept.case import Case, DrawnPass
+from sss_ref.validation.accept.case import Case
+from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import KnownBuffer
 from sss_ref.validation.accept.storage import depth_storage, lost_in_storage, step_of
 from sss_ref.validation.accept.walk import filled, in_rounds, untouched

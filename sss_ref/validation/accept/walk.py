@@ -14,7 +14,7 @@ from sss_ref.language.layout import dtype_of, shape_of
 from sss_ref.language.stage import Stage
 from sss_ref.rendering.result import Result
 from sss_ref.validation.accept.acceptance import accepted
-from sss_ref.validation.accept.case import DrawnPass
+from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import Known, KnownBuffer, Pixels
 
 

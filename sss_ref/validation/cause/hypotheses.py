@@ -15,7 +15,7 @@ import numpy as np
 from sss_ref.language import Stage
 from sss_ref.language.types import Array, Texture, Vector, components, mat3, mat4
 from sss_ref.scene_file.kernels import KERNELS
-from sss_ref.validation.accept.case import DrawnPass
+from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import stacked
 from sss_ref.validation.accept.rebased import RASTERIZER, Check
 from sss_ref.validation.accept.walk import run_stage

@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 
 from sss_ref.language.types import Array, Texture, Vector, components, mat3, mat4
-from sss_ref.validation.accept.case import Case, DrawnPass
+from sss_ref.validation.accept.case import Case
+from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import stacked
 from sss_ref.validation.accept.walk import StageRun, walk
 from sss_ref.validation.cause.hypotheses import NEVER_WRONG

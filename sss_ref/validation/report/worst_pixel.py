@@ -11,7 +11,7 @@ from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.interpret.trace import scalar, trace
 from sss_ref.interpret.work import buffer_value
 from sss_ref.validation.accept.acceptance import around
-from sss_ref.validation.accept.case import DrawnPass
+from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import Pixels
 from sss_ref.validation.accept.rebased import RASTERIZER, Check
 from sss_ref.validation.accept.walk import StageRun, run_stage

@@ -1,0 +1,69 @@
+"""A pass as a right processor may have drawn it, ready to be run at single pixels."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from sss_ref.interpret.arrays import draw_values
+from sss_ref.interpret.intervals.profile import Profile
+from sss_ref.interpret.work import Work, uniform_value
+from sss_ref.language.pipeline import Pass
+from sss_ref.validation.accept.acceptance import INTERPOLATION, around
+from sss_ref.validation.accept.dumped import Drawing
+from sss_ref.validation.accept.known import Known, KnownBuffer, Pixels, stacked
+from sss_ref.validation.accept.rasterizer.interpolation import interpolation_slack
+from sss_ref.validation.accept.rasterizer.visible import Visible
+
+
+@dataclass(frozen=True)
+class DrawnPass:
+    """A pass, ready to be run at single pixels.
+
+    read: name -> what is known of the buffers that its stages read. visible: what its rasterizer may show; None where
+    that is fixed. drawing: what was dumped of what its stages hand on. profile: the processor that runs them.
+    """
+
+    work: Work
+    read: Mapping[str, KnownBuffer]
+    visible: Visible | None
+    drawing: Drawing
+    profile: Profile
+
+    @property
+    def this_pass(self) -> Pass:
+        """The pass that is drawn."""
+        return self.work.this_pass
+
+    def reading(self, buffers: Mapping[str, KnownBuffer]) -> "DrawnPass":
+        """The same, where its stages read these buffers."""
+        return replace(self, read=buffers)
+
+    def given(self, at: Pixels) -> dict[str, Known]:
+        """What the draw gives some pixels: name -> value, the varyings with all that they may be."""
+        values = draw_values(self.work, *at)
+        known = {name: Known.exactly(value) for name, value in values.items()}
+        if self.visible is not None:
+            known |= {name: Known(values[name], self._spread(name, at, values)) for name in self._varyings}
+        return known
+
+    def outside(self, name: str, kind: Any, at: Pixels) -> Known:
+        """What a stage reads that neither the draw nor a stage of this pass gives: a buffer or a uniform."""
+        if name in self.read:
+            return self.read[name].read(kind, at)
+        return Known.exactly(uniform_value(kind, self.work.uniforms[name]))
+
+    @property
+    def _varyings(self) -> Mapping[str, int]:
+        return self.work.fragments.varyings
+
+    def _spread(self, name: str, at: Pixels, values: Mapping[str, Any]) -> Any:
+        """A varying with all that other vertex stages and snaps may give, and the rounding of its interpolation."""
+        fragments = self.work.fragments
+        assert fragments.piece is not None and self.visible is not None
+        own = stacked(values[name])
+        columns = slice(self._varyings[name], self._varyings[name] + own.shape[1])
+        slack = interpolation_slack(self.visible.boxes, fragments.piece[at], at[1], at[0], own, columns)
+        rounding = np.abs(own.astype(np.float64)).max(axis=-1, keepdims=True) * INTERPOLATION
+        return around(values[name], slack + rounding)
