@@ -22,17 +22,15 @@ def picture(
     name: str,
     buffer: np.ndarray,
     covered: np.ndarray,
-    step: int = 1,
+    spread: tuple[float, float] | None = None,
     encode: Callable[[np.ndarray], np.ndarray] = srgb8,
 ) -> np.ndarray:
     """A buffer as sRGB uint8 (H, W, 3), row 0 at the bottom; covered: bool (H, W), the pixels that were drawn.
 
-    step: show every step-th row and column only; the range of values is that of all of them.
-    encode: how colours become 8 bits.
+    spread: the values that the colours range over; None: the least and the largest that are drawn. encode: how colours
+    become 8 bits.
     """
     kind = "".join(channel_names(name, buffer))
-    whole_range = value_range(buffer, covered)
-    buffer, covered = buffer[::step, ::step], covered[::step, ::step]
     if kind == "RGB":
         return over_ground(encode(buffer), covered)
     if buffer.dtype == np.uint8:
@@ -41,7 +39,7 @@ def picture(
         return over_ground(hashed_colours(buffer), covered)
     if kind == "UV":
         return over_ground(uv_colours(buffer), covered & (buffer >= 0).all(axis=-1))
-    values = stretched(buffer, *whole_range)
+    values = stretched(buffer, *(spread or value_range(buffer, covered)))
     return over_ground(values if kind == "XYZ" else RAMP[values], covered)
 
 

@@ -4,6 +4,7 @@ float32 stays float32; masks and triangle indices become UINT, where -1 is 42949
 the display window, as the format demands, and each has the data window of its own size from the same top left corner.
 """
 
+import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -28,8 +29,9 @@ def write_exr(
     parts = []
     for name in image_first:
         header = {**_windows(buffers[name], size), **attributes, "sss_ref:unit": described(name).unit, "name": name}
-        header |= {"type": OpenEXR.scanlineimage, "compression": OpenEXR.ZIP_COMPRESSION}
+        header |= {"type": OpenEXR.scanlineimage, "compression": OpenEXR.ZIPS_COMPRESSION}
         parts.append(OpenEXR.Part(header, _channels(name, buffers[name])))
+    OpenEXR.set_global_thread_count(os.cpu_count() or 1)
     OpenEXR.File(parts).write(str(path))
 
 

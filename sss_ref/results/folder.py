@@ -1,6 +1,10 @@
 """The result folder: pictures, buffers and manifest, all there or not there at all."""
 
 import json
+import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -11,8 +15,9 @@ from sss_ref.pictures.png_file import encoding_of, write_png
 from sss_ref.rendering.result import Result
 from sss_ref.rendering.samples import SampledResult
 from sss_ref.results.exr_file import write_exr
-from sss_ref.results.manifest import FILE_NAME, FORMAT, Manifest, manifest_of, scene_hash
+from sss_ref.results.manifest import FILE_NAME, FORMAT, Manifest, manifest_of, package_version, scene_hash
 from sss_ref.results.whole_folder import appearing, writable
+from sss_ref.rules import RULES_VERSION
 
 
 def save(result: Result, folder: Path, interpreter: str | None = None, threads: int | None = None) -> Path:
@@ -24,7 +29,7 @@ def save(result: Result, folder: Path, interpreter: str | None = None, threads: 
     """
     folder = checked_target(folder)
     with appearing(folder) as part:
-        _write(result, manifest_of(result, interpreter, threads), part)
+        _write(result, part, partial(manifest_of, result, interpreter, threads))
     return folder
 
 
@@ -50,21 +55,37 @@ def _is_result(folder: Path) -> bool:
         return False
 
 
-def _write(result: Result, manifest: Manifest, folder: Path) -> None:
+def _write(result: Result, folder: Path, about: Callable[[], Manifest]) -> None:
+    """All files, several at a time; about: makes the manifest, for which every buffer is hashed."""
     (folder / "buffers").mkdir()
-    for name, buffer in result.buffers.items():
-        np.save(folder / "buffers" / f"{name}.npy", buffer.astype(buffer.dtype.newbyteorder("<"), copy=False))
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        manifest = pool.submit(about)
+        tasks = [pool.submit(_write_exr, result, folder)]
+        tasks += [pool.submit(_write_pictures, result, folder)]
+        tasks += [pool.submit(_write_buffer, folder, *named) for named in result.buffers.items()]
+        for task in tasks:
+            task.result()
+        (folder / FILE_NAME).write_text(manifest.result().model_dump_json(indent=2) + "\n", encoding="utf-8")
+
+
+def _write_buffer(folder: Path, name: str, buffer: np.ndarray) -> None:
+    np.save(folder / "buffers" / f"{name}.npy", buffer.astype(buffer.dtype.newbyteorder("<"), copy=False))
+
+
+def _write_exr(result: Result, folder: Path) -> None:
     camera = result.scene.settings.camera
     origin: dict[str, str | int] = {
-        "version": manifest.package_version,
-        "rules_version": manifest.rules_version,
+        "version": package_version(),
+        "rules_version": RULES_VERSION,
         "scene_sha256": scene_hash(result.scene),
     }
     write_exr(folder / "buffers.exr", result.buffers, (camera.width, camera.height), origin)
+
+
+def _write_pictures(result: Result, folder: Path) -> None:
     if "image" in result.buffers:
         write_png(folder / "image.png", *_preview(result), encode=encoding_of(result.scene.settings))
     write_overview(folder / "overview.png", result)
-    (folder / FILE_NAME).write_text(manifest.model_dump_json(indent=2) + "\n", encoding="utf-8")
 
 
 def _preview(result: Result) -> tuple[np.ndarray, np.ndarray | None]:

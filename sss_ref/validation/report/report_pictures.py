@@ -47,7 +47,8 @@ def pictures(check: Check) -> Iterator[tuple[str, str]]:
     """Captions and pictures, the latter as data URLs."""
     step = -(-max(check.where.shape) // LARGEST_SIDE)
     for caption, buffer in (("as drawn", np.nan_to_num(check.got)), ("as it should be", check.expected)):
-        yield caption, _png(tiles.picture(check.buffer, buffer, check.where, step))
+        spread = tiles.value_range(buffer, check.where)
+        yield caption, _png(tiles.picture(check.buffer, buffer[::step, ::step], check.where[::step, ::step], spread))
     yield "what became of each pixel", _png(_outcome_picture(check, step))
     if check.covered is not None:
         yield "green must be covered, yellow may be", _png(COVERED[_most_in_blocks(check.covered, step)])
