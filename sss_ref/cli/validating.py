@@ -43,6 +43,9 @@ def validate(
     report: Annotated[
         Path | None, Parameter(help="A folder for report.html and report.json.", show_default=False)
     ] = None,
+    junit: Annotated[
+        Path | None, Parameter(help="A file for the verdicts as JUnit XML, a test case a buffer.", show_default=False)
+    ] = None,
     metrics: Annotated[bool, Parameter(negative="", help="Tell also what SSIM and FLIP say of the pictures.")] = False,
     changes: Changes = NO_CHANGES,
     execution: Execution = KERNELS,
@@ -54,10 +57,13 @@ def validate(
     from sss_ref.rendering.fold import render
     from sss_ref.scene.load import load_scene
     from sss_ref.validation.clock import Clock
+    from sss_ref.validation.report.junit import checked_junit_file, write_junit
     from sss_ref.validation.report.metrics import likeness, require_packages
     from sss_ref.validation.report.report_page import write_report
     from sss_ref.validation.stage_by_stage import judge
 
+    if junit:
+        checked_junit_file(junit)
     loaded = load_scene(scene, **changes.overrides())
     if metrics:
         require_packages()
@@ -76,6 +82,8 @@ def validate(
     print_report(found)
     if report:
         out.print(f"{write_report(found, report, f'{scene}: is it right?')}", markup=False)
+    if junit:
+        out.print(f"{write_junit(found, junit, scene)}", markup=False)
     return 0 if found.passed else DIFFERS
 
 
@@ -98,13 +106,7 @@ def _dumped(scene: "Scene", dump: Path | None, origin: Literal["top", "bottom"] 
     found = read_dump(dump, scene, origin)
     for note in (*found.notes, *(f"{one.name}: {note}" for one in found.buffers.values() for note in one.notes)):
         err.print(f"[yellow]note:[/] {note}", highlight=False)
-    encodings = {name: one.encoding for name, one in found.buffers.items()}
-    return Drawing(
-        {name: one.data for name, one in found.buffers.items()},
-        {name: one.stored for name, one in found.buffers.items()},
-        {name: encoding.rounded_from for name, encoding in encodings.items() if encoding.rounded_from},
-        found.device,
-    )
+    return Drawing.read(found)
 
 
 def _judged_pixels(scene: "Scene", region: str | None, exclude: Path | None) -> "np.ndarray | None":

@@ -2,15 +2,19 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from os import PathLike
+from pathlib import Path
 
 import numpy as np
 
+from sss_ref.dump.read import read_dump
 from sss_ref.errors import SceneError
 from sss_ref.errors.wording import told
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.methods.stages import all_stages
 from sss_ref.rendering.fold import render
 from sss_ref.rendering.result import Result
+from sss_ref.scene.load import load_scene
 from sss_ref.scene.scene import Scene
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.chained import chained
@@ -31,8 +35,8 @@ DEFAULT_PROFILE = "vulkan"
 
 
 def validate(
-    scene: Scene | Result,
-    buffers: Buffers,
+    scene: Scene | Result | str | PathLike[str],
+    buffers: Buffers | str | PathLike[str],
     stored: Stored | None = None,
     only: np.ndarray | None = None,
     profile: Profile | str = DEFAULT_PROFILE,
@@ -40,20 +44,37 @@ def validate(
 ) -> Report:
     """Hold the buffers of another implementation against the stages, one stage at a time.
 
-    scene: what was drawn, or its rendering with all buffers. buffers: name -> array as in `Result`, (H, W) or
-    (H, W, C), row 0 at the bottom, float32, int32 or uint8; any of the method's, registers and taps too. The more there
-    are, the nearer the culprit.
+    scene: what was drawn, as a scene, a bundle or what else `load_scene` takes, or its rendering with all buffers.
+    buffers: a folder or mapping file that `read_dump` reads, or name -> array as in `Result`, (H, W) or (H, W, C), row
+    0 at the bottom, float32, int32 or uint8; any of the method's, registers and taps too. The more there are, the
+    nearer the culprit.
     stored: buffer -> what its texture holds where that is less than float32: "float16", "unorm8", "unorm16", "srgb8".
     only: bool (H, W) of the camera's size, the pixels of its buffers that are judged.
     profile: the processor that may have drawn them, by name ("ieee", "vulkan", "gl", "mediump"), as a TOML file or as a
     Profile; accepted is what it may give. explain: whether to look for what would explain a failure, and for how small
     an error would have been seen.
-    Raises SceneError where a buffer is not one of the scene, or not of its type and size.
+    Raises SceneError where a buffer is not one of the scene, or not of its type and size, and DumpError as `read_dump`
+    does.
     """
     clock = Clock()
     with clock.phase("rendering"):
-        oracle = scene if isinstance(scene, Result) else render(scene)
-    return judge(oracle, Drawing(buffers, stored or {}), only, profile, explain, clock)
+        oracle = _oracle(scene)
+    return judge(oracle, _drawing(oracle.scene, buffers, stored or {}), only, profile, explain, clock)
+
+
+def _oracle(scene: Scene | Result | str | PathLike[str]) -> Result:
+    """The rendering itself, or that of a scene."""
+    if isinstance(scene, Result):
+        return scene
+    return render(scene if isinstance(scene, Scene) else load_scene(scene))
+
+
+def _drawing(scene: Scene, buffers: Buffers | str | PathLike[str], stored: Stored) -> Drawing:
+    """What was drawn; storages that the caller gives come before those of the files."""
+    if isinstance(buffers, Mapping):
+        return Drawing(buffers, stored)
+    found = Drawing.read(read_dump(Path(buffers), scene))
+    return replace(found, stored={**found.stored, **stored})
 
 
 def judge(
@@ -122,14 +143,19 @@ def _within_bounds(check: Check, bounds: Mapping[str, KnownBuffer], drawing: Dra
 
 
 def assert_valid(
-    scene: Scene | Result, buffers: Buffers, stored: Stored | None = None, profile: Profile | str = DEFAULT_PROFILE
+    scene: Scene | Result | str | PathLike[str],
+    buffers: Buffers | str | PathLike[str],
+    stored: Stored | None = None,
+    profile: Profile | str = DEFAULT_PROFILE,
 ) -> None:
     """For tests: raise AssertionError, with the report's summary and what would explain it, unless all is right.
 
     scene, buffers, stored, profile: as in `validate`.
     """
+    __tracebackhide__ = True  # pytest shows the line that called it
     report = validate(scene, buffers, stored, profile=profile)
-    assert report.passed, "\n".join([report.summary, *report.explanations])
+    if not report.passed:
+        raise AssertionError("\n".join([report.summary, *report.details, *report.explanations]))
 
 
 def _check_buffers(oracle: Result, buffers: Buffers) -> None:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from sss_ref.dump.loss import EXACT, Loss, loss_of
+from sss_ref.dump.read import Dump
 from sss_ref.interpret.intervals.value_sets import componentwise
 from sss_ref.interpret.work import buffer_value
 from sss_ref.numerics.interval import Interval
@@ -30,6 +31,14 @@ class Drawing:
     stored: Stored = field(default_factory=dict)
     rounded: Stored = field(default_factory=dict)
     device: str | None = None
+
+    @classmethod
+    def read(cls, dump: Dump) -> "Drawing":
+        """Of a dump that was read from files."""
+        found = dump.buffers
+        rounded = {name: one.encoding.rounded_from for name, one in found.items() if one.encoding.rounded_from}
+        stored = {name: one.stored for name, one in found.items()}
+        return cls({name: one.data for name, one in found.items()}, stored, rounded, dump.device)
 
     @property
     def coarse(self) -> "Drawing":
