@@ -1,12 +1,26 @@
 """Folders that appear whole or not at all, and never in the place of somebody else's files."""
 
+import errno
+import glob
 import os
+import random
 import shutil
+import sys
+import tempfile
+import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import IO
 
 from sss_ref.errors import DumpError
+from sss_ref.results.exchange import exchanged
+
+HIDDEN = ".part"  # how the names of folders end that are being written
+LOCK = ".lock"  # how the names of the files beside them end that their writers hold
+OLD = "old"  # how the name of an earlier result begins that is set aside there
+ATTEMPTS, PAUSE = 200, 0.01  # to take a name that others take at the same time; seconds at most between two of them
+IN_BETWEEN = (errno.ENOTEMPTY, errno.EEXIST, errno.ENOENT)  # what renaming says where another writer was faster
 
 
 def writable(folder: Path, is_ours: Callable[[Path], bool], ours: str) -> Path:
@@ -25,29 +39,102 @@ def writable(folder: Path, is_ours: Callable[[Path], bool], ours: str) -> Path:
 
 @contextmanager
 def appearing(folder: Path) -> Iterator[Path]:
-    """A hidden folder beside `folder` to write into; it takes its place at the end, or vanishes if writing fails."""
-    part = folder.with_name(f".{folder.name}.{os.getpid()}.part")
+    """A hidden folder beside `folder` to write into; it takes its place at the end, or vanishes if writing fails.
+
+    Several writers do not disturb each other: the last one stays. What a killed one has left behind goes with the next.
+    """
     try:
-        part.mkdir(parents=True)
-        yield part
-        _put(part, folder)
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        _remove_leftovers(folder)
+        with _own_lock(folder) as lock:
+            hidden = lock.with_suffix(HIDDEN)
+            try:
+                part = hidden / "content"
+                part.mkdir(parents=True)
+                yield part
+                _put(part, folder)
+            finally:
+                shutil.rmtree(hidden, ignore_errors=True)
     except (OSError, RuntimeError) as error:  # OpenEXR raises the latter
         reason = getattr(error, "strerror", None) or error
         raise DumpError(f"{folder}: cannot be written ({reason}); choose another folder") from error
-    finally:
-        shutil.rmtree(part, ignore_errors=True)
 
 
 def _put(part: Path, folder: Path) -> None:
-    """Rename `part` to `folder`, whose own content, if any, is moved aside first and deleted last."""
-    if not folder.exists():
-        part.rename(folder)
-        return
-    old = part.with_suffix(".old")
+    """Let `part` stand under the name `folder`; what stood there comes to stand under that of `part`, to be deleted.
+
+    Where the system cannot exchange two folders, the name leads to nothing for the moment between two renames.
+    """
+    for attempt in range(ATTEMPTS):
+        try:
+            if not folder.exists():
+                part.rename(folder)
+            elif not exchanged(part, folder):
+                _put_by_two_renames(part, folder, part.with_name(f"{OLD}{attempt}"))
+            return
+        except OSError as error:
+            if error.errno not in IN_BETWEEN:
+                raise
+            time.sleep(random.random() * PAUSE)
+    raise OSError(errno.EBUSY, "other programs keep writing it")
+
+
+def _put_by_two_renames(part: Path, folder: Path, old: Path) -> None:
     folder.rename(old)
     try:
         part.rename(folder)
     except OSError:
-        old.rename(folder)
+        if not folder.exists():
+            old.rename(folder)
         raise
-    shutil.rmtree(old, ignore_errors=True)
+
+
+def _remove_leftovers(folder: Path) -> None:
+    """Remove what writers that are no more have left: their locks are free. An earlier result is put back."""
+    for lock in folder.parent.glob(f".{glob.escape(folder.name)}.*{LOCK}"):
+        hidden = lock.with_suffix(HIDDEN)
+        try:
+            with lock.open("r+") as file:
+                _hold(file)
+                for old in hidden.glob(f"{OLD}*"):
+                    if not folder.exists():
+                        old.rename(folder)
+                shutil.rmtree(hidden, ignore_errors=True)
+                lock.unlink(missing_ok=True)
+        except OSError:
+            continue  # somebody is writing, or has just finished
+
+
+@contextmanager
+def _own_lock(folder: Path) -> Iterator[Path]:
+    """A file beside `folder` that this writer holds until the end; free again when the process ends, however it ends.
+
+    One that was taken for a leftover before it was held is given up for another.
+    """
+    while True:
+        number, name = tempfile.mkstemp(prefix=f".{folder.name}.", suffix=LOCK, dir=folder.parent)
+        with os.fdopen(number, "r+") as file:
+            try:
+                _hold(file)
+                if not os.path.samestat(os.fstat(file.fileno()), os.stat(name)):
+                    continue
+            except OSError:
+                continue
+            try:
+                yield Path(name)
+            finally:
+                with suppress(OSError):  # where an open file cannot go, the next writer removes it
+                    Path(name).unlink()
+            return
+
+
+def _hold(file: IO[str]) -> None:
+    """Lock an open file. Raises OSError if another has it."""
+    if sys.platform == "win32":
+        import msvcrt
+
+        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+    else:
+        import fcntl
+
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -7,6 +7,7 @@ import pytest
 from sss_ref.errors import DumpError
 from sss_ref.rendering.fold import render
 from sss_ref.results import folder as folder_module
+from sss_ref.results import whole_folder
 from sss_ref.results.folder import read_buffer, save
 from sss_ref.scene.load import load_scene
 
@@ -82,11 +83,12 @@ def test_failed_swap_puts_the_earlier_result_back(result, saved, monkeypatch):
     rename = type(saved).rename
 
     def fails_for_the_new_one(path, target):
-        if path.name.endswith(".part"):
+        if path.name == "content":
             raise OSError(13, "Permission denied")
         return rename(path, target)
 
     before = files(saved)
+    monkeypatch.setattr(whole_folder, "exchanged", lambda first, second: False)
     monkeypatch.setattr(type(saved), "rename", fails_for_the_new_one)
     with pytest.raises(DumpError, match="Permission denied"):
         save(result, saved)
