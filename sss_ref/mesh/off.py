@@ -2,9 +2,13 @@
 
 Line breaks are free, but that a face's colour goes on to the end of its line. So vertices and faces are read line by
 line where each stands on its own, and number by number where not.
+
+MeshLab has the prefixes in another order, N, C, ST, and then writes the colour of a vertex before its normal
+(findings/meshlab_off_order.sh).
 """
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -20,7 +24,8 @@ from sss_ref.mesh.words import Words, named, plain
 IntArray = NDArray[np.int64]
 FloatArray = NDArray[np.float64]
 
-KEYWORD = re.compile(rb"(ST)?(C)?(N)?(4)?(n)?(?:OFF|off)")
+KEYWORD = re.compile(rb"(?P<uv>ST)?(?P<color>C)?(?P<normal>N)?(?P<other>4?n?)(?:OFF|off)")
+MESHLABS = re.compile(rb"(?P<normal>N)?(?P<color>C)?(?P<uv>ST)?(?P<other>)OFF")
 AGAIN = "export the mesh again"
 
 
@@ -45,42 +50,70 @@ class _Numbers:
         return int(np.searchsorted(self.words.line, self.words.line[at], side="right"))
 
 
+@dataclass(frozen=True)
+class _Prefixes:
+    """What vertices have besides a position."""
+
+    uv: bool
+    color: bool
+    normal: bool
+    color_first: bool  # whether a colour comes before the normal
+
+    @property
+    def least(self) -> int:
+        """The fewest numbers of a vertex: a colour has three or four."""
+        return 3 + 3 * self.normal + 3 * self.color + 2 * self.uv
+
+
 def read_off(path: Path, data: bytes) -> Polygons:
     """The polygons of an OFF file. Raises MeshError for one that is none, or binary, or not of 3 dimensions."""
     check_text(path, data)
-    words, (texture, color, normal) = _behind_keyword(path, Words.of(plain(data)))
+    words, has = _behind_keyword(path, Words.of(plain(data)))
     numbers = _Numbers(words, words.floats(np.ones(len(words), bool)))
     vertices, faces, at = _counts(path, numbers)
-    width = 3 + 3 * normal + 3 * color + 2 * texture
-    stride = _stride(numbers, at, vertices, width + color, width)
+    stride = _stride(numbers, at, vertices, has.least + has.color, has.least)
     behind = at + stride * vertices
-    found = _faces(numbers, behind, faces) if behind <= len(numbers) else None
-    if found is None:
+    starts = _faces(numbers, behind, faces) if behind <= len(numbers) else None
+    if starts is None:
         came = f"{len(numbers.lines(at)[0])} lines"
         raise refused(path, f"the {vertices + faces} elements it declares", came, AGAIN)
-    sizes, corner = found[0], _whole(path, found[1])
+    sizes = numbers.values[starts[:-1]].astype(np.int64)
+    corner = _whole(path, numbers.values[np.repeat(starts[:-1] + 1, sizes) + counted(sizes)])
     table = numbers.values[at:behind].reshape(vertices, stride)
-    uv = 3 + 3 * normal + color * (stride - 3 - 3 * normal - 2 * texture)
+    color = stride - 3 - 3 * has.normal - 2 * has.uv
+    normal, uv = 3 + color * has.color_first, 3 + 3 * has.normal + color * has.color
     return Polygons(
         table[:, :3],
         sizes,
         corner,
-        Attribute(table[:, uv : uv + 2], corner) if texture else None,
-        Attribute(table[:, 3:6], corner) if normal else None,
+        Attribute(table[:, uv : uv + 2], corner) if has.uv else None,
+        Attribute(table[:, normal : normal + 3], corner) if has.normal else None,
+        notes=tuple(_not_used(numbers, starts, color > 0, bool((np.diff(starts) > sizes + 1).any()))),
     )
 
 
-def _behind_keyword(path: Path, words: Words) -> tuple[Words, tuple[bool, bool, bool]]:
-    """The words without the keyword, which may be missing, and whether vertices have UVs, colours and normals."""
+def _not_used(numbers: _Numbers, starts: IntArray, of_vertices: bool, of_faces: bool) -> Iterator[str]:
+    """Notes on colours, of vertices and of faces, and on what stands behind the last face."""
+    owners = [owner for owner, has_any in (("vertices", of_vertices), ("faces", of_faces)) if has_any]
+    if owners:
+        yield f"colours of {' and '.join(owners)} are not used"
+    left = len(numbers) - int(starts[-1])
+    if left:
+        yield f"{left} numbers behind the last face it declares are not used"
+
+
+def _behind_keyword(path: Path, words: Words) -> tuple[Words, _Prefixes]:
+    """The words without the keyword, which may be missing, and what it says of the vertices."""
     start = int(words.starts[0]) if len(words) else 0
-    keyword = KEYWORD.match(words.text, start)
+    keyword = KEYWORD.match(words.text, start) or MESHLABS.match(words.text, start)
     if keyword:
-        if keyword[4] or keyword[5]:
+        if keyword["other"]:
             raise refused(path, "positions of 3 numbers", f"the keyword {keyword[0].decode()}", AGAIN)
         words = Words.of(b" " * keyword.end() + words.text[keyword.end() :])
     if len(words) and words[0].upper().startswith(b"BINARY"):
         raise refused(path, "an off file in text", "a binary one", "convert it to text or to a binary ply file")
-    return words, (bool(keyword and keyword[1]), bool(keyword and keyword[2]), bool(keyword and keyword[3]))
+    has = {name: bool(keyword and keyword[name]) for name in ("uv", "color", "normal")}
+    return words, _Prefixes(**has, color_first=bool(keyword and keyword.re is MESHLABS))
 
 
 def _counts(path: Path, numbers: _Numbers) -> tuple[int, int, int]:
@@ -105,20 +138,17 @@ def _stride(numbers: _Numbers, at: int, vertices: int, width: int, least: int) -
     return int(lines[0]) if regular else width
 
 
-def _faces(numbers: _Numbers, at: int, faces: int) -> tuple[IntArray, FloatArray] | None:
-    """The sizes (F,) and corners (K,) of the faces from number `at` on; None where the file ends before they do."""
-    starts, counts = numbers.lines(at)
-    starts, counts = starts[:faces], counts[:faces]
+def _faces(numbers: _Numbers, at: int, faces: int) -> IntArray | None:
+    """Where each face from number `at` on begins, and where the last ends (F + 1,); None where the file ends before."""
+    lines, counts = numbers.lines(at)
+    starts, counts = lines[:faces], counts[:faces]
     given = numbers.values[starts]
-    if not (len(starts) == faces and (faces == 0 or starts[0] == at) and (given >= 0).all() and (given < counts).all()):
-        walked = _walked(numbers, at, faces, colors=False)
-        if walked is None or walked[-1] != len(numbers):
-            walked = _walked(numbers, at, faces, colors=True)
-        if walked is None:
-            return None
-        starts = walked[:-1]
-    sizes = numbers.values[starts].astype(np.int64)
-    return sizes, numbers.values[np.repeat(starts + 1, sizes) + counted(sizes)]
+    if len(starts) == faces and (faces == 0 or starts[0] == at) and (given >= 0).all() and (given < counts).all():
+        return np.append(lines, len(numbers))[: faces + 1]
+    walked = _walked(numbers, at, faces, colors=False)
+    if walked is None or walked[-1] != len(numbers):
+        walked = _walked(numbers, at, faces, colors=True)
+    return walked
 
 
 def _walked(numbers: _Numbers, at: int, faces: int, colors: bool) -> IntArray | None:

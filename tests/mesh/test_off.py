@@ -51,7 +51,9 @@ SAME = {
 @pytest.mark.parametrize("name", SAME)
 def test_the_same_tetrahedron(tmp_path, name):
     mesh = loaded(tmp_path, "a.off", SAME[name])
-    assert measured(mesh) == TETRAHEDRON and mesh.notes == ()
+    owner = "vertices" if "COFF" in name or "of vertices" in name else "faces"
+    assert mesh.notes == ((f"colours of {owner} are not used",) if "COFF" in name or "colour" in name else ())
+    assert measured(mesh) == TETRAHEDRON
     assert centres(mesh) == [1, 1, 0, 1] and mesh.normals_source == "computed" and mesh.uvs is None
 
 
@@ -62,19 +64,24 @@ ATTRIBUTES = {
     "STNOFF": (NORMAL, UV),
     "STCOFF": (COLOR, UV),
     "STCNOFF": (NORMAL, COLOR, UV),
+    "NCOFF": (COLOR, NORMAL),
+    "NSTOFF": (NORMAL, UV),
+    "CSTOFF": (COLOR, UV),
+    "NCSTOFF": (COLOR, NORMAL, UV),
 }
 
 
 @pytest.mark.parametrize("lines", ["a line each", "one line"])
 @pytest.mark.parametrize("keyword", ATTRIBUTES)
 def test_normals_and_uvs(tmp_path, keyword, lines):
-    """Behind the position: normal, colour, UV, in this order, whatever the order of the prefixes."""
+    """Behind the position: normal, colour, UV; in the order of prefixes that MeshLab has, the colour first."""
     content = f"{keyword}\n4 4 6\n{vertices(*ATTRIBUTES[keyword])}"
     mesh = loaded(tmp_path, "a.off", (content if lines == "a line each" else content.replace("\n", " ")) + "\n" + F)
-    assert measured(mesh) == TETRAHEDRON and mesh.notes == ()
+    assert measured(mesh) == TETRAHEDRON
+    assert mesh.notes == (("colours of vertices are not used",) if "C" in keyword else ())
     assert mesh.normals_source == ("file" if "N" in keyword else "computed")
     assert mesh.normals.tolist() == [list(NORMAL)] * 4 or "N" not in keyword
-    assert (mesh.uvs is not None) == keyword.startswith("ST")
+    assert (mesh.uvs is not None) == ("ST" in keyword)
     assert mesh.uvs is None or mesh.uvs.tolist() == [list(UV)] * 4
 
 
@@ -96,6 +103,15 @@ def test_polygons_in_the_files_order(tmp_path):
 def test_faces_of_one_or_two_corners_are_noted(tmp_path):
     mesh = loaded(tmp_path, "a.off", f"OFF\n4 6 0\n{V}2 0 1\n{F}1 3\n")
     assert measured(mesh) == TETRAHEDRON and mesh.notes == ("2 faces of fewer than three corners were passed over",)
+
+
+def test_colours_of_both_and_numbers_behind_are_noted(tmp_path):
+    mesh = loaded(tmp_path, "a.off", f"COFF\n4 4 6\n{vertices(COLOR)}{F}".replace("3 0 2 1", "3 0 2 1 9") + "3 0 1 2\n")
+    assert measured(mesh) == TETRAHEDRON
+    assert mesh.notes == (
+        "colours of vertices and faces are not used",
+        "4 numbers behind the last face it declares are not used",
+    )
 
 
 REFUSED = {
