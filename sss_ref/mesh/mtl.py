@@ -1,7 +1,7 @@
 """Wavefront MTL: of each material its diffuse colour Kd, and what its picture map_Kd asks for."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -23,6 +23,7 @@ class MaterialLibrary:
     materials: dict[str, Material] = field(default_factory=dict)
     options: dict[str, str] = field(default_factory=dict)  # name of a material -> what its map_Kd asks for
     notes: tuple[str, ...] = ()
+    read: tuple[str, ...] = ()  # the files
 
     def material(self, raw: bytes) -> Material:
         """The material of a name as it stands in a file: as a whole or, if there is no such one, up to a #."""
@@ -32,10 +33,18 @@ class MaterialLibrary:
                 return self.materials[each]
         return Material(COMMENT.sub("", name))
 
-    def notes_on(self, used: Iterable[Material]) -> tuple[str, ...]:
+    def notes_on(self, used: Collection[Material]) -> tuple[str, ...]:
         """What the user should know of the materials that faces have."""
         asked = [(each.name, self.options[each.name]) for each in used if each.name in self.options]
-        return self.notes + tuple(f"material {shown(name)}: map_Kd {what} is not applied" for name, what in asked)
+        options = tuple(f"material {shown(name)}: map_Kd {what} is not applied" for name, what in asked)
+        return self.notes + options + self._missing([each.name for each in used if each.name])
+
+    def _missing(self, names: list[str]) -> tuple[str, ...]:
+        """A note on materials that the libraries do not have, if there is any library."""
+        missing = [name for name in names if name not in self.materials] if self.read else []
+        if not missing:
+            return ()
+        return (f"material {shown(missing[0])} is not in {', '.join(self.read)} ({len(missing)} in all)",)
 
 
 def read_libraries(lines: list[bytes], folder: OwnFolder) -> MaterialLibrary:
@@ -45,16 +54,17 @@ def read_libraries(lines: list[bytes], folder: OwnFolder) -> MaterialLibrary:
     """
     materials: dict[str, Material] = {}
     options: dict[str, str] = {}
-    notes = []
+    notes, read = [], []
     for name in dict.fromkeys(name for line in lines for name in _files(named(line), folder)):
         if not folder.holds(name):
             notes.append(f"materials of {shown(name)} not used: there is no such file beside the mesh")
             continue
+        read.append(name)
         for material, asked in _materials(folder.get(name), folder):
             if material.name not in materials:
                 materials[material.name] = material
                 options |= {material.name: asked} if asked else {}
-    return MaterialLibrary(materials, options, tuple(notes))
+    return MaterialLibrary(materials, options, tuple(notes), tuple(read))
 
 
 def _files(line: str, folder: OwnFolder) -> list[str]:

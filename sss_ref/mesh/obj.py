@@ -6,6 +6,7 @@ faces; the notes say how many there were. Source: Wavefront Technologies, Advanc
 
 import re
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -26,6 +27,10 @@ CONTINUED = re.compile(rb"\\[ \t]*\n")
 REFERENCES = re.compile(rb"[+-]?\d+(?:/(?:[+-]?\d+)?){0,2}")  # v, v/vt, v//vn, v/vt/vn
 ABSENT = -(2**62)  # a reference that a corner does not have
 PASSED_OVER = {b"p": "points", b"l": "lines", b"curv": "curves", b"surf": "surfaces", b"call": "calls of other files"}
+KNOWN = frozenset(  # the other statements of the manual, its superseded ones too
+    b"vp curv2 mtllib maplib usemtl usemap g s mg o cstype deg bmat step parm trim hole scrv sp end con bevel c_interp "
+    b"d_interp lod shadow_obj trace_obj ctech stech csh bsp bzp cdc cdp res".split()
+)
 AGAIN = "export the mesh again"
 
 
@@ -73,8 +78,6 @@ class _ObjReader:
         v, vt, vn = faces.references.T
         self._check_points(positions, v)
         material, materials, notes = self._materials(faces, folder)
-        counted = Counter(PASSED_OVER[word] for head in self.others if (word := self.words[head]) in PASSED_OVER)
-        notes += tuple(f"passed over, for only faces are drawn: {what} ({count})" for what, count in counted.items())
         return Polygons(
             positions,
             faces.sizes,
@@ -83,7 +86,7 @@ class _ObjReader:
             Attribute(normals, vn) if len(normals) or (vn != ABSENT).any() else None,
             material,
             materials,
-            notes + self._weights(),
+            (*notes, *self._passed_over(), *self._weights(), *self._colors()),
         )
 
     def _points(self, kind: bytes, width: int) -> NDArray[np.float64]:
@@ -111,6 +114,21 @@ class _ObjReader:
             given = self.words.rest(head).split()[:3]
             if len(given) < 3 or not all(map(NUMBER.fullmatch, given)):
                 raise MeshError(told(str(self.path), "positions of 3 numbers", self._shown(head), AGAIN))
+
+    def _passed_over(self) -> Iterator[str]:
+        """Notes on what is no face, and on lines that begin with no word of OBJ: may be something of them was meant."""
+        heads = {int(head): self.words[head] for head in self.others}
+        counts = Counter(PASSED_OVER[word] for word in heads.values() if word in PASSED_OVER)
+        yield from (f"passed over, for only faces are drawn: {what} ({count})" for what, count in counts.items())
+        unknown = [head for head, word in heads.items() if word not in PASSED_OVER and word.lower() not in KNOWN]
+        if unknown:
+            count = f"({len(unknown)} in all)"
+            yield f"passed over, for OBJ has no such statement: {self._shown(unknown[0])} {count}"
+
+    def _colors(self) -> tuple[str, ...]:
+        """A note on vertices of six or more numbers: colours, which MeshLab, ZBrush and scanners write there."""
+        count = int(np.count_nonzero(self._counts[self._is[b"v"]] > 6))
+        return (f"the colours of {count} vertices are not used",) if count else ()
 
     def _weights(self) -> tuple[str, ...]:
         """A note on vertices of four numbers: the last is a weight, of which only free-form surfaces make use."""

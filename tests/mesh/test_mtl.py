@@ -83,6 +83,12 @@ def test_a_library_that_is_not_there(tmp_path):
     assert mesh.notes == ('materials of "none.mtl" not used: there is no such file beside the mesh',)
 
 
+def test_materials_that_the_libraries_do_not_have(tmp_path):
+    note = 'material "red" is not in a.mtl (2 in all)'
+    assert materials(tmp_path, "newmtl red\nKd 1 0 0\n".encode("utf-16")).notes == (note,)
+    assert materials(tmp_path, "newmtl red\n").notes == ('material "grey" is not in a.mtl (1 in all)',)
+
+
 @pytest.mark.parametrize("name", ["\0", "a" * 5000, "a/" * 3000])
 def test_a_library_whose_name_is_none(tmp_path, name):
     assert len(loaded(tmp_path, "a.obj", f"mtllib {name}\n{OBJ}").notes) >= 1

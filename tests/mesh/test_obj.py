@@ -48,7 +48,8 @@ SAME = {
 @pytest.mark.parametrize("name", SAME)
 def test_the_same_tetrahedron(tmp_path, name):
     mesh = loaded(tmp_path, "a.obj", SAME[name])
-    assert measured(mesh) == TETRAHEDRON and mesh.notes == () and len(mesh.positions) == 4
+    assert mesh.notes == (("the colours of 4 vertices are not used",) if name in ("colours", "seven numbers") else ())
+    assert measured(mesh) == TETRAHEDRON and len(mesh.positions) == 4
     assert centres(mesh) == [1, 1, 0, 1]
 
 
@@ -122,6 +123,16 @@ NOTED = {
     "lines": ("l 1 2 3\n", "passed over, for only faces are drawn: lines (1)"),
     "surfaces": ("cstype bezier\nsurf 0 1 0 1 1 2 3\nend\n", "passed over, for only faces are drawn: surfaces (1)"),
     "other files": ("call b.obj\n", "passed over, for only faces are drawn: calls of other files (1)"),
+    "an unknown statement": (
+        "f\u00a01 2 3\n",
+        'passed over, for OBJ has no such statement: "f\\u00a01 2 3" in line 9 (1 in all)',
+    ),
+    "unknown statements": (
+        "vv 1\nf: 1 2 3\n",
+        'passed over, for OBJ has no such statement: "vv 1" in line 9 (2 in all)',
+    ),
+    "colours": ("v 1 2 3 .1 .2 .3\n", "the colours of 1 vertices are not used"),
+    "colours behind weights": ("v 1 2 3 1 .1 .2 .3\n", "the colours of 1 vertices are not used"),
     "weights": ("v 1 2 3 2\n", "the weights w of 1 vertices are not used: only free-form surfaces have any"),
 }
 
@@ -131,6 +142,11 @@ def test_what_is_not_drawn_is_noted(tmp_path, name):
     lines, note = NOTED[name]
     mesh = loaded(tmp_path, "a.obj", V + F + lines)
     assert measured(mesh) == TETRAHEDRON and mesh.notes == (note,)
+
+
+def test_statements_of_the_manual_are_not_spoken_of(tmp_path):
+    lines = "o a\ng b\ns 1\nS off\nmg 0\nusemap off\nlod 2\nvp 1 2\nbevel on\nc_interp off\nshadow_obj a\n"
+    assert loaded(tmp_path, "a.obj", V + lines + F).notes == ()
 
 
 FEW = "expected faces of at least three vertices, numbered from 1, got "
