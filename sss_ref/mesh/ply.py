@@ -3,13 +3,14 @@
 UVs are columns of the vertices, under any of the names in UV_COLUMNS, or a list of each face, which then counts.
 """
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sss_ref.mesh.part import refused
-from sss_ref.mesh.ply_header import parsed
+from sss_ref.mesh.ply_header import PlyHeader, parsed
 from sss_ref.mesh.ply_rows import Column, Rows
 from sss_ref.mesh.polygons import Attribute, Polygons
 from sss_ref.mesh.untrusted import check_text
@@ -19,6 +20,8 @@ IntArray = NDArray[np.int64]
 CORNERS = ("vertex_indices", "vertex_index")
 UV_COLUMNS = ("s t", "u v", "texture_u texture_v", "texcoord_u texcoord_v", "tu tv")
 WANTED = {*CORNERS, "texcoord", *" ".join(("x y z nx ny nz", *UV_COLUMNS)).split()}
+ELEMENTS = ("vertex", "face", "tristrips")
+AGAIN = "export the mesh again"
 RESTART = -1  # in a strip
 
 
@@ -30,20 +33,15 @@ def read_ply(path: Path, data: bytes) -> Polygons:
     if not any(element.count for element in header.elements if element.name in ("face", "tristrips")):
         raise refused(path, "at least one triangle", "none", "export the mesh as triangles or polygons")
     rows = Rows(path, header, data)
-    vertex, faces, strips = {}, None, None
-    for element in header.elements:
-        match element.name:
-            case "vertex":
-                vertex = rows.read(element, WANTED)
-            case "face":
-                faces = rows.read(element, WANTED)
-            case "tristrips":
-                strips = rows.read(element, WANTED)
-            case _:
-                rows.read(element, WANTED)
+    names = [element.name for element in header.elements]
+    twice = [name for name in ELEMENTS if names.count(name) > 1]
+    if twice:
+        raise refused(path, "each element once", f"{twice[0]} {names.count(twice[0])} times", AGAIN)
+    read = {element.name: rows.read(element, WANTED) for element in header.elements}
+    vertex, faces, strips = read.get("vertex", {}), read.get("face"), read.get("tristrips")
     positions = _columns(vertex, "x y z")
     if positions is None:
-        raise refused(path, "vertices with the properties x, y and z", "others", "export the mesh again")
+        raise refused(path, "vertices with the properties x, y and z", "others", AGAIN)
     sizes, corner = _joined(_corners(path, faces), _in_triangles(_corners(path, strips)))
     texcoord = (faces or {}).get("texcoord")
     return Polygons(
@@ -52,7 +50,18 @@ def read_ply(path: Path, data: bytes) -> Polygons:
         corner,
         _per_vertex(vertex, corner) if texcoord is None else _per_face(texcoord, sizes),
         _attribute(_columns(vertex, "nx ny nz"), corner),
+        notes=tuple(_not_used(header, rows.left)),
     )
+
+
+def _not_used(header: PlyHeader, left: str) -> Iterator[str]:
+    """Notes on properties of vertices and faces that mean nothing here, such as colours, and on what is left."""
+    for element in header.elements:
+        names = [each.name for each in element.properties if each.name not in WANTED]
+        if names and element.name in ELEMENTS:
+            yield f"of each {element.name} not used: {', '.join(names)}"
+    if left:
+        yield f"{left} behind the last element are not used"
 
 
 def _columns(rows: dict[str, Column], names: str) -> NDArray[np.float64] | None:
@@ -89,9 +98,9 @@ def _corners(path: Path, rows: dict[str, Column] | None) -> tuple[IntArray, IntA
         column = rows.get(name)
         if column is not None and column.sizes is not None:
             if not (column.values == np.rint(column.values)).all():
-                raise refused(path, f"whole numbers in {name}", "others", "export the mesh again")
+                raise refused(path, f"whole numbers in {name}", "others", AGAIN)
             return column.sizes, column.values.astype(np.int64)
-    raise refused(path, "faces with a list vertex_indices", "others", "export the mesh again")
+    raise refused(path, "faces with a list vertex_indices", "others", AGAIN)
 
 
 def _in_triangles(strips: tuple[IntArray, IntArray]) -> tuple[IntArray, IntArray]:

@@ -59,6 +59,14 @@ class Rows:
         expected = f"the {self._header.declared} elements it declares"
         return refused(self._path, expected, self._found, "export the mesh again")
 
+    @property
+    def left(self) -> str:
+        """What stands behind the last element that was read; empty for nothing."""
+        left = len(self._data) - self._at
+        if not left:
+            return ""
+        return f"{left} bytes" if self._header.order else f"{left // 8} numbers"
+
     def _fields(self, element: PlyElement) -> list[_Field]:
         return [
             _Field(each.name, self._kind(each.kind), None if each.counted is None else self._kind(each.counted))

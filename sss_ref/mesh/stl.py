@@ -10,7 +10,7 @@ import numpy as np
 from sss_ref.mesh.part import refused
 from sss_ref.mesh.polygons import Polygons
 from sss_ref.mesh.untrusted import check_text
-from sss_ref.mesh.words import Mask, Words, plain
+from sss_ref.mesh.words import UTF16_MARKS, Mask, Words, plain
 
 HEADER = 84  # bytes: 80 of any kind and the number of facets
 FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
@@ -23,9 +23,11 @@ def read_stl(path: Path, data: bytes) -> Polygons:
 
 
 def _is_text(data: bytes) -> bool:
-    """Binary headers may begin with "solid" too, but the number of facets has a byte that is zero."""
+    """Binary headers may begin with "solid" too, but the number of facets behind them has a byte that is zero."""
+    if data.startswith(UTF16_MARKS):
+        return True
     start = plain(data[:1024]).lstrip().lower()
-    return start.startswith((b"solid", b"facet")) and b"\0" not in data[:1024]
+    return start.startswith((b"solid", b"facet")) and b"\0" not in data[HEADER - 4 : HEADER]
 
 
 def _in_binary(path: Path, data: bytes) -> Polygons:

@@ -11,6 +11,7 @@ from urllib.parse import unquote
 
 from sss_ref.errors import MeshError
 from sss_ref.errors.wording import shown, told
+from sss_ref.mesh.words import UTF16_MARKS
 
 BYTE_LIMIT = 2**30  # of the mesh file, and of all files together that it refers to
 TEXT_LIMIT = 2**28  # of a mesh file in text, which takes some ten times its bytes to read
@@ -81,7 +82,7 @@ def check_packed(path: Path, data: bytes) -> None:
 
 def check_text(path: Path, data: bytes) -> None:
     """Raise MeshError for more text than is read, or text of two bytes a letter."""
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+    if data.startswith(UTF16_MARKS):
         raise MeshError(told(str(path), "text in UTF-8", "text in UTF-16", "save it as UTF-8"))
     if len(data) > TEXT_LIMIT:
         expected = f"at most {TEXT_LIMIT} bytes of text"

@@ -22,6 +22,7 @@ BLANK[[9, 10, 11, 12, 13, 32]] = True
 NUMBER = re.compile(rb"[+-]?(?:(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|inf|nan|infinity)", re.IGNORECASE)
 WHOLE = re.compile(rb"[+-]?\d+")
 UTF8_MARK = b"\xef\xbb\xbf"
+UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
 
 
 @dataclass(frozen=True, eq=False)

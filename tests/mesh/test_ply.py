@@ -78,12 +78,18 @@ SAME = {
     "a strip behind faces": [VERTEX, ("face", LIST, FACE[2][:2]), ("tristrips", STRIPS, [((0, 3, 2, 1),)])],
 }
 
+NOT_USED = {
+    "properties in another order": ("of each vertex not used: red, q", "of each face not used: red, quality"),
+    "lists at vertices": ("of each vertex not used: w",),
+}
+
 
 @pytest.mark.parametrize("form", FORMS)
 @pytest.mark.parametrize("name", SAME)
 def test_the_same_tetrahedron(tmp_path, name, form):
     mesh = loaded(tmp_path, "a.ply", ply(*SAME[name], form=form))
-    assert measured(mesh) == TETRAHEDRON and mesh.notes == () and len(mesh.positions) == 4
+    assert mesh.notes == NOT_USED.get(name, ())
+    assert measured(mesh) == TETRAHEDRON and len(mesh.positions) == 4
     assert sorted(centres(mesh)) == [0, 1, 1, 1]
 
 
@@ -153,7 +159,7 @@ def test_uvs_of_faces(tmp_path, form):
     properties = [*LIST, "list uchar float texcoord", "int texnumber"]
     faces = ("face", properties, [(*side, uv, 7) for side, uv in zip(SIDES, uvs, strict=True)])
     mesh = loaded(tmp_path, "a.ply", ply(vertices, faces, form=form))
-    assert measured(mesh)["triangles"] == 6 and mesh.notes == ()
+    assert measured(mesh)["triangles"] == 6 and mesh.notes == ("of each face not used: texnumber",)
     found = mesh.uvs[mesh.triangles]
     quad = np.array(uvs[0]).reshape(4, 2)
     assert found[:2].tolist() == [quad[[0, 1, 2]].tolist(), quad[[2, 3, 0]].tolist()]
@@ -203,6 +209,14 @@ def test_cut_short_anywhere(tmp_path, form, elements):
         )
 
 
+@pytest.mark.parametrize("form", FORMS)
+def test_what_is_behind_the_last_element_is_noted(tmp_path, form):
+    behind = b"1 2\n3\n" if form == "ascii" else b"12345"
+    mesh = loaded(tmp_path, "a.ply", ply(VERTEX, FACE, form=form) + behind)
+    what = "3 numbers" if form == "ascii" else "5 bytes"
+    assert measured(mesh) == TETRAHEDRON and mesh.notes == (f"{what} behind the last element are not used",)
+
+
 REFUSED = {
     "another format": (b"solid", "expected a valid ply file, got one that does not begin with the line ply" + AGAIN),
     "no end of the header": (
@@ -237,6 +251,10 @@ REFUSED = {
     "no whole numbers": (
         ply(VERTEX, FACE).replace(b"3 0 2 1", b"3 0 2 x"),
         "expected whole numbers in vertex_indices, got others" + AGAIN,
+    ),
+    "an element twice": (
+        ply(VERTEX, FACE, FACE),
+        "expected each element once, got face 2 times" + AGAIN,
     ),
     "points alone": (ply(VERTEX), NO_TRIANGLE),
     "no faces": (ply(VERTEX, ("face", LIST, [])), NO_TRIANGLE),

@@ -47,6 +47,8 @@ SAME = {
     "tabs": text().replace("  ", "\t"),
     "one long line": "solid\n" + text(name="", end="").removeprefix("solid\n").replace("\n", " ") + "\nendsolid",
     "a byte-order mark": b"\xef\xbb\xbf" + text().encode(),
+    "zeros behind the end": text() + "\0" * 90,
+    "a zero in the name": text(name=" t\0"),
     "blank lines first": "\n\n  " + text(),
     "forms of numbers": text().replace("vertex 1 0 0", "vertex +1.0E+00 0. .0"),
     "normals that are none": text().replace("normal 0 0 0", "normal nan 1 9"),
@@ -99,6 +101,7 @@ REFUSED = {
         text()[: text().rindex(" 1\n    endloop")],
         "expected three numbers for each vertex, got a file that ends before" + AGAIN,
     ),
+    "two bytes a letter": (text().encode("utf-16"), "expected text in UTF-8, got text in UTF-16; save it as UTF-8"),
     "no number": (
         text().replace("vertex 1 0 0", "vertex 1 x 0", 1),
         "expected positions that are finite in float32, got [1.0, nan, 0.0] at vertex 2 (1 in all); correct them",

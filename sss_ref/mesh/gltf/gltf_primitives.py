@@ -49,6 +49,8 @@ class PrimitiveReader:
             self.notes[f"{place} not used: {reason}"] = None
             return None
         self._refuse_draco(place, primitive)
+        if "COLOR_0" in primitive.attributes:
+            self.notes["colours of vertices (COLOR_0) are not used"] = None
         appearance = Appearance(self._document, primitive.material, f"{place}.material")
         morphs = Morphs(self._document, self._accessors, place, primitive, weights)
         positions = morphs.applied("POSITION", POSITION, None)

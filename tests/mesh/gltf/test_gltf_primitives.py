@@ -127,3 +127,10 @@ def test_draco(tmp_path):
     assert refusal(builder, tmp_path) == (
         f"meshes[0].primitives[0]: expected uncompressed data, got {name} alone; export it without compression"
     )
+
+
+def test_colours_of_vertices_are_noted(tmp_path):
+    """They multiply the material's colour in a renderer that has them (glTF 2.0, 3.9.2)."""
+    loaded = of_mode(6, None, ROUND, COLOR_0=np.float32([[0.5, 0.5, 0.5]] * 5)).loaded(tmp_path)
+    assert loaded.materials[0].color == (1, 1, 1)
+    assert loaded.notes == ("colours of vertices (COLOR_0) are not used",)
