@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sss_ref.mesh.materials import Material
-from sss_ref.mesh.normals import has_area, vertex_normals
+from sss_ref.mesh.normals import vertex_normals
 from sss_ref.mesh.part import FileContent, FloatArray, Part, refused, without_unused
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.mesh.uv_tiles import Tiled, into_unit_square
@@ -33,7 +33,6 @@ def joined(path: Path, content: FileContent) -> Mesh:
     source: Literal["file", "computed"] = "computed" if normals is None else "file"
     if normals is None:
         normals = vertex_normals(positions, triangles)
-    flat = () if has_area(positions, triangles) else ("no triangle has an area: nothing of the mesh will be seen",)
     material, materials = content.materials or _joined_materials(parts)
     tiled = Tiled(uvs, triangles) if uvs is None else into_unit_square(uvs, triangles)
     return Mesh(
@@ -46,7 +45,7 @@ def joined(path: Path, content: FileContent) -> Mesh:
         materials,
         source,
         tiled.shifted,
-        notes=content.notes + flat + uv_notes + normal_notes + tiled.notes,
+        notes=content.notes + uv_notes + normal_notes + tiled.notes,
     )
 
 

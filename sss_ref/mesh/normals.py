@@ -18,11 +18,6 @@ def vertex_normals(positions: NDArray[np.float32], triangles: NDArray[np.int32])
     return _normalized(sums)[number].astype(np.float32)
 
 
-def has_area(positions: NDArray[np.float32], triangles: NDArray[np.int32]) -> bool:
-    """Whether any triangle has an area, as far as float64 tells."""
-    return bool(_area_vectors(positions, triangles).any())
-
-
 def _area_vectors(positions: NDArray[np.float32], triangles: NDArray[np.int32]) -> NDArray[np.float64]:
     """Cross product of two edges of each triangle (T, 3): its normal, twice its area long."""
     a, b, c = np.moveaxis(positions[triangles].astype(np.float64), 1, 0)

@@ -4,7 +4,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from mesh_texts import loaded
 
 from sss_ref.errors import MeshError
 from sss_ref.mesh.materials import Material
@@ -91,11 +90,3 @@ def test_what_crosses_itself_is_noted():
 
 def test_counted():
     assert counted(np.array([2, 0, 3])).tolist() == [0, 1, 0, 1, 2]
-
-
-def test_triangles_without_area_are_noted(tmp_path):
-    line = "v 0 0 0\nv 1 2 3\nv 2 4 6\n"
-    assert loaded(tmp_path, "a.obj", line + "f 1 2 3\nf 1 1 2\n").notes == (
-        "no triangle has an area: nothing of the mesh will be seen",
-    )
-    assert loaded(tmp_path, "a.obj", line + "v 0 0 1\nf 1 2 3\nf 1 2 4\n").notes == ()
