@@ -50,7 +50,7 @@ def test_a_wrong_dump_fails_and_is_reported(dump, oracle, tmp_path, capsys):
     page = (tmp_path / "report" / "report.html").read_text()
     assert "shininess is 20 instead of" in page and page.count("data:image/png;base64,") == 4
     assert "http" not in page.replace("http://www.w3.org", "")
-    assert "float lambert = diffuse * max(dot_(normal_world, to_light), 0.0);" in page
+    assert "float lambert = diffuse * max_(dot_(normal_world, to_light), 0.0);" in page
     data = json.loads((tmp_path / "report" / "report.json").read_text())
     assert data["passed"] is False and data["explanations"][0]["text"].startswith("shininess is 20 ")
     failed = [one for one in data["buffers"] if not one["passed"]]
