@@ -19,7 +19,7 @@ def unseen(view: View, surface: PlacedMesh, key: str, table: Camera | LightSetti
     """Why a view sees nothing of the mesh and what to set, or "" where it may see some of it.
 
     key: of the scene file, "camera" or "lights.0"; table: what stands there. Only what is certain for all vertices is
-    told: triangles around the view's edges may still miss it.
+    told; triangles around the view's edges may still miss it.
     """
     x, y, ahead = transformed(view.view, surface.points).T * [[1], [1], [-1]]
     nearest, farthest = float(ahead.min()), float(ahead.max())
