@@ -9,6 +9,8 @@ import numpy as np
 
 from sss_ref.bundle.porting import guide
 from sss_ref.dump.mapping_template import mapping_template
+from sss_ref.errors import DumpError
+from sss_ref.errors.text_file import text_of
 from sss_ref.interpret.shader import ARRAY_WIDTH, GLSL, array_lengths, draws, shader_files
 from sss_ref.language.layout import CHANNELS
 from sss_ref.language.pipeline import Method, Pass
@@ -52,8 +54,9 @@ def write_bundle(scene: Scene, folder: Path) -> Path:
 
 def _is_bundle(folder: Path) -> bool:
     try:
-        return bool(json.loads((folder / "passes.json").read_bytes())["format"] == FORMAT)
-    except (OSError, ValueError, LookupError, TypeError):
+        content = json.loads(text_of(folder / "passes.json", "a bundle's passes", DumpError))
+        return bool(content["format"] == FORMAT)
+    except (DumpError, ValueError, LookupError, TypeError, RecursionError):
         return False
 
 

@@ -13,26 +13,35 @@ BYTE_LIMIT = 2**20  # of any text; none of ours comes near
 PLACE = re.compile(r"\((at line \d+, column \d+|at end of document)\)")
 
 
+def check_regular(path: Path, expected: str, error_class: type[SssRefError]) -> int:
+    """The bytes of a file that may be opened without waiting for ever: a regular one. Raises `error_class`."""
+    try:
+        found = path.stat()
+    except OSError as error:
+        raise error_class(told(str(path), expected, error.strerror or "none", "check the path")) from None
+    except ValueError:  # a path with a zero byte
+        raise error_class(told(str(path), expected, "no name of a file", "check the path")) from None
+    if not S_ISREG(found.st_mode):
+        raise error_class(told(str(path), expected, "no regular file", "copy its content to one"))
+    return found.st_size
+
+
 def text_of(path: Path, expected: str, error_class: type[SssRefError]) -> str:
     """The text of a file. Raises `error_class` for what is no regular file, too large, or not UTF-8.
 
     expected: what the file should be, as the message calls it. Devices and pipes are refused before they are opened.
     """
+    size = check_regular(path, expected, error_class)
+    if size > BYTE_LIMIT:
+        wanted = f"{expected}, of at most {BYTE_LIMIT} bytes"
+        raise error_class(told(str(path), wanted, f"{size} bytes", "check the path"))
     try:
-        found = path.stat()
-        if not S_ISREG(found.st_mode):
-            raise error_class(told(str(path), expected, "no regular file", "copy its content to one"))
-        if found.st_size > BYTE_LIMIT:
-            came = f"{found.st_size} bytes"
-            raise error_class(told(str(path), f"{expected}, of at most {BYTE_LIMIT} bytes", came, "check the path"))
         return path.read_bytes().decode("utf-8")
     except OSError as error:
         raise error_class(told(str(path), expected, error.strerror or "none", "check the path")) from None
     except UnicodeDecodeError as error:
         came = f"a byte that is no UTF-8 at byte {error.start}"
         raise error_class(told(str(path), f"{expected} in UTF-8", came, "save it as UTF-8")) from None
-    except ValueError:  # a path with a zero byte
-        raise error_class(told(str(path), expected, "no name of a file", "check the path")) from None
 
 
 def toml_of(path: Path, expected: str, error_class: type[SssRefError]) -> dict[str, Any]:

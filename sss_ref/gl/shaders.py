@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from sss_ref.errors import ShaderError
+from sss_ref.errors.text_file import text_of
 from sss_ref.interpret.shader import GLSL, OUT, draws, fragment_shader, vertex_shader
 from sss_ref.language.names import Name
 from sss_ref.language.pipeline import Pass
@@ -17,6 +18,7 @@ from sss_ref.scene_file.settings import SceneFile
 if TYPE_CHECKING:
     from moderngl import Context, Program
 
+GLSL_SOURCE = "GLSL source"
 Files = str | PathLike[str] | Sequence[str | PathLike[str]]
 OUTPUT = re.compile(rf"layout\s*\(\s*location\s*=\s*(\d+)\s*\)\s*(?:precise\s+)?out\s+\w+\s+{OUT}(\w+)\s*;")
 
@@ -51,7 +53,7 @@ def own_shaders(
 
     The other arguments as `fragment_shader` takes them.
     """
-    text = _text(vertex) if vertex else vertex_shader(this_pass, lengths)
+    text = text_of(vertex, GLSL_SOURCE, ShaderError) if vertex else vertex_shader(this_pass, lengths)
     return [
         ShaderPair(str(vertex or name), text, fragment_shader(this_pass, buffers, outputs, lengths), outputs)
         for name, outputs in draws(this_pass, wanted).items()
@@ -100,16 +102,9 @@ def user_shaders(this_pass: Pass, files: Files, lengths: Mapping[str, int]) -> l
     names of the translated shaders. Raises ShaderError where a file cannot be read or writes what the pass does not.
     """
     file = user_vertex_file(files)
-    vertex = _text(file) if file else vertex_shader(this_pass, lengths)
-    texts = {path: _text(path) for path in listed(files) if path.suffix != ".vert"}
+    vertex = text_of(file, GLSL_SOURCE, ShaderError) if file else vertex_shader(this_pass, lengths)
+    texts = {path: text_of(path, GLSL_SOURCE, ShaderError) for path in listed(files) if path.suffix != ".vert"}
     return [ShaderPair(str(path), vertex, text, _outputs(this_pass, path, text)) for path, text in texts.items()]
-
-
-def _text(path: Path) -> str:
-    try:
-        return path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise ShaderError(f"{path}: expected GLSL source, got {error}; check the path") from None
 
 
 def _outputs(this_pass: Pass, path: Path, text: str) -> tuple[str, ...]:

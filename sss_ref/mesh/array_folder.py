@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from sss_ref.errors import MeshError
-from sss_ref.errors.text_file import text_of
+from sss_ref.errors.text_file import check_regular, text_of
 from sss_ref.mesh.materials import Material
 from sss_ref.mesh.part import finite32, refused, vertex_indices
 from sss_ref.mesh.triangles import Mesh
@@ -89,6 +89,7 @@ def _record(path: Path) -> MeshRecord:
 
 def _array(path: Path, dtype: Any, element: tuple[int, ...]) -> NDArray[Any]:
     """An array (N, *element), at least one; it is mapped first, which takes no memory if the file is too short."""
+    check_regular(path, "an NPY file", MeshError)
     try:
         found = np.load(path, mmap_mode="r", allow_pickle=False)
     except OSError as error:

@@ -10,6 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from sss_ref.errors import DumpError
+from sss_ref.errors.text_file import check_regular, text_of
+from sss_ref.errors.wording import told
 from sss_ref.pictures.overview import write_overview
 from sss_ref.pictures.png_file import encoding_of, write_png
 from sss_ref.rendering.result import Result
@@ -40,18 +42,23 @@ def checked_target(folder: Path) -> Path:
 
 def read_buffer(path: Path) -> np.ndarray:
     """The buffer (H, W) or (H, W, C), row 0 at the bottom, in the NPY file at `path`; DumpError if it is none."""
+    expected, again = "a buffer in NPY format", "render the scene again"
+    check_regular(path, expected, DumpError)
     try:
-        buffer: np.ndarray = np.load(path, allow_pickle=False)
-        return buffer
-    except (OSError, ValueError, EOFError) as error:
-        raise DumpError(f"{path}: expected a buffer in NPY format, got {error}; render the scene again") from None
+        buffer = np.load(path, mmap_mode="r", allow_pickle=False)  # a mapping fails early where the file is too short
+    except Exception:  # whatever a broken file makes NumPy raise, a tokenizer's error too
+        raise DumpError(told(str(path), expected, "one that is damaged or cut off", again)) from None
+    if not isinstance(buffer, np.ndarray):
+        raise DumpError(told(str(path), expected, "an archive", again))
+    return np.array(buffer)
 
 
 def _is_result(folder: Path) -> bool:
     """Whether a folder has a manifest of this package, of whatever version."""
     try:
-        return bool(json.loads((folder / FILE_NAME).read_bytes())["format"] == FORMAT)
-    except (OSError, ValueError, LookupError, TypeError):
+        content = json.loads(text_of(folder / FILE_NAME, "a manifest", DumpError))
+        return bool(content["format"] == FORMAT)
+    except (DumpError, ValueError, LookupError, TypeError, RecursionError):
         return False
 
 

@@ -11,6 +11,8 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from sss_ref.errors import DumpError
+from sss_ref.errors.text_file import text_of
+from sss_ref.errors.wording import told
 from sss_ref.passes.buffers import described
 from sss_ref.rendering.result import Result
 from sss_ref.rendering.samples import SampledResult
@@ -124,14 +126,13 @@ def scene_hash(scene: Scene) -> str:
 def read_manifest(folder: Path) -> Manifest:
     """The manifest of a result folder. Raises DumpError where there is none or it is damaged."""
     path = folder / FILE_NAME
+    text = text_of(path, "a folder written by sss-ref render", DumpError)
     try:
-        return Manifest.model_validate_json(path.read_bytes())
-    except OSError as error:
-        raise DumpError(f"{path}: expected a folder written by sss-ref render, got {error.strerror}") from None
+        return Manifest.model_validate_json(text)
     except ValidationError as error:
-        first = error.errors()[0]
-        where = ".".join(map(str, first["loc"])) or "file"
-        raise DumpError(f"{path}: {where}: {first['msg']}; the manifest is damaged, render the scene again") from None
+        where = ".".join(map(str, error.errors()[0]["loc"])) or "file"
+        expected, remedy = "what sss-ref render writes", "the manifest is damaged, render the scene again"
+        raise DumpError(told(f"{path}: {where}", expected, "something else", remedy)) from None
 
 
 def _record(result: Result, name: str) -> BufferRecord:

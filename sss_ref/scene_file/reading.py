@@ -1,7 +1,6 @@
 """From a scene file's text to its settings, or to one error that lists everything wrong with it."""
 
 import os
-import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +9,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from sss_ref.errors import SceneError
+from sss_ref.errors.text_file import toml_of
 from sss_ref.errors.wording import KeyPath, described, told
 from sss_ref.scene_file import settings, viewpoints
 from sss_ref.scene_file.bundled import bundled_settings, is_bundle
@@ -53,7 +53,9 @@ def opened(scene: str | os.PathLike[str] | Mapping[str, Any]) -> Document:
     if is_bundle(name):
         data = bundled_settings(folder)
         return Document(data, name, folder, data.get("preset"))
-    return Document(_parsed(scene_path(name) if name in scene_names() else Path(name), name), name, folder)
+    expected = f"a scene file, a bundle or a shipped scene ({', '.join(scene_names())})"
+    path = scene_path(name) if name in scene_names() else Path(name)
+    return Document(toml_of(path, expected, SceneError), name, folder)
 
 
 def folder_of(source: str) -> Path:
@@ -93,16 +95,6 @@ def _other_preset(document: Document, given: Mapping[str, Any]) -> list[str]:
         return []
     remedy = "bundle the scene with the other preset"
     return [told("preset", f"{document.preset}, which filled this bundle", str(given.get("preset")), remedy)]
-
-
-def _parsed(path: Path, name: str) -> dict[str, Any]:
-    try:
-        return tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        expected = f"a scene file, a bundle or a shipped scene ({', '.join(scene_names())})"
-        raise SceneError(told(name, expected, error.strerror or "none", "check the name")) from None
-    except (ValueError, RecursionError) as error:  # not UTF-8, not TOML, or nested without end
-        raise SceneError(told(name, "valid TOML", str(error), "correct that place")) from None
 
 
 def _problems_of(error: ValidationError) -> Iterator[tuple[KeyPath, str]]:

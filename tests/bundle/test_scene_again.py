@@ -170,6 +170,6 @@ def test_a_preset_for_a_bundle_is_refused(bundle, tmp_path):
 def test_a_mesh_that_is_not_whole_is_refused_by_name(bundle, tmp_path):
     folder = spoiled(bundle, tmp_path / "b", "mesh/uv.npy", lambda path: path.unlink())
     with pytest.raises(
-        MeshError, match=r"uv\.npy: expected an NPY file, got No such file or directory; write the bundle"
+        MeshError, match=r"uv\.npy: expected an NPY file, got No such file or directory; check the path"
     ):
         sss_ref.load_scene(folder)

@@ -1,5 +1,6 @@
 import io
 import json
+import os
 
 import numpy as np
 import pytest
@@ -88,4 +89,11 @@ def test_the_error_names_the_field(folder):
     record = json.loads((folder / "mesh.json").read_text())
     (folder / "mesh.json").write_text(json.dumps(record | {"normals": "guessed"}))
     with pytest.raises(MeshError, match=r"mesh\.json: normals: expected what a bundle says of its mesh"):
+        read_arrays(folder)
+
+
+def test_a_pipe_is_never_waited_for(folder):
+    (folder / "uv.npy").unlink()
+    os.mkfifo(folder / "uv.npy")
+    with pytest.raises(MeshError, match="expected an NPY file, got no regular file; copy its content to one"):
         read_arrays(folder)

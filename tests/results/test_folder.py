@@ -122,11 +122,26 @@ def test_a_file_is_in_the_way(result, tmp_path):
     assert (tmp_path / "out").read_text() == "a file"
 
 
-@pytest.mark.parametrize("content", [b"", b"\x93NUMPY\x01\x00rest", b"text"])
+@pytest.mark.parametrize(
+    "content", [b"", b"\x93NUMPY\x01\x00rest", b"text", b"\x93NUMPY\x01\x00\x10\x00{'descr': '<f4'\n  "]
+)
 def test_unreadable_buffer(tmp_path, content):
     (tmp_path / "x.npy").write_bytes(content)
-    with pytest.raises(DumpError, match=r"x\.npy: expected a buffer in NPY format"):
+    with pytest.raises(DumpError, match="expected a buffer in NPY format, got one that is damaged or cut off; "):
         read_buffer(tmp_path / "x.npy")
+
+
+def test_a_pipe_is_never_waited_for(tmp_path):
+    os.mkfifo(tmp_path / "x.npy")
+    with pytest.raises(DumpError, match="got no regular file; copy its content to one"):
+        read_buffer(tmp_path / "x.npy")
+
+
+@pytest.mark.parametrize("content", ["[" * 100_000, "{", "3"])
+def test_a_broken_manifest_makes_no_result_of_ours(result, tmp_path, content):
+    (tmp_path / "manifest.json").write_text(content)
+    with pytest.raises(DumpError, match="got other files"):
+        save(result, tmp_path)
 
 
 def test_pickles_are_never_run(tmp_path):

@@ -1,3 +1,5 @@
+import os
+
 import pytest
 
 from sss_ref.errors import SceneError
@@ -11,6 +13,7 @@ def problems(scene, **overrides):
     return str(error.value).split("\n")
 
 
+SCENE = "a scene file, a bundle or a shipped scene (small)"
 ANOTHER = "choose another value"
 NUMBER = "write it without quotes, such as 1.5"
 ONLY_PUBLISHED, OR_THE_PRESET = 'expected another value without preset "published"', "choose one, or the preset"
@@ -119,21 +122,22 @@ def test_toml_that_cannot_be_parsed(tmp_path):
     path = tmp_path / "a.toml"
     path.write_text('method = "screen_space"\nmesh path = 3\n')
     (line,) = problems(path)
-    assert line == (
-        f"{path}: expected valid TOML, got Expected '=' after a key in a key/value pair (at line 2, column 6); "
-        "correct that place"
-    )
-    path.write_text("a = " + "[" * 5000)
-    assert problems(path)[0].startswith(f"{path}: expected valid TOML, got ")
+    assert line == f"{path}: expected valid TOML, got none at line 2, column 6; correct that place"
+    path.write_text("a = " + "[" * 100_000)
+    assert problems(path) == [f"{path}: expected valid TOML, got brackets nested without end; nest less"]
     path.write_bytes(b"\xff")
-    assert problems(path)[0].startswith(f"{path}: expected valid TOML, got 'utf-8' codec can't decode byte 0xff")
+    expected = f"{path}: expected {SCENE} in UTF-8, got a byte that is no UTF-8 at byte 0; save it as UTF-8"
+    assert problems(path) == [expected]
+
+
+def test_what_is_no_file_is_never_waited_for(tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    for path in ("/dev/zero", tmp_path / "pipe"):
+        assert problems(path) == [f"{path}: expected {SCENE}, got no regular file; copy its content to one"]
 
 
 def test_missing_scene_file():
-    assert problems("none.toml") == [
-        "none.toml: expected a scene file, a bundle or a shipped scene (small), got No such file or directory; "
-        "check the name"
-    ]
+    assert problems("none.toml") == [f"none.toml: expected {SCENE}, got No such file or directory; check the path"]
 
 
 def test_all_problems_of_a_file_at_once(tmp_path):
