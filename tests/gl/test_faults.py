@@ -25,7 +25,7 @@ FILTERED = """vec2 at = uv * vec2(textureSize(light_distance, 0)) - 0.5;
     float lower_right = texelFetch(light_distance, corner + ivec2(1, 0), 0).x;
     float upper_left = texelFetch(light_distance, corner + ivec2(0, 1), 0).x;
     float upper_right = texelFetch(light_distance, corner + ivec2(1, 1), 0).x;
-    float stored = mix_(mix_(lower_left, lower_right, t.x), mix_(upper_left, upper_right, t.x), t.y);"""
+    float stored = mix(mix(lower_left, lower_right, t.x), mix(upper_left, upper_right, t.x), t.y);"""
 PLACED = "gl_Position = vertex.clip_position;"
 HALF = {"#version 400 core": "#version 420 core"}  # the first with packHalf2x16
 
@@ -127,7 +127,7 @@ LIGHT = {
         "camera/phong_shading",
         {"pow(max_(mirrored, 0.0), shininess)": "pow(max_(mirrored, 0.0), shininess + 1.0)"},
     ),
-    "no ambient light": Fault("bust", "camera/phong_shading", {"Phong((ambient / light_count + ": "Phong(("}),
+    "no ambient light": Fault("bust", "camera/phong_shading", {"phong = (ambient / light_count + ": "phong = ("}),
     "exponent 0.601": Fault("slabs", "camera/translucency_ratio", {"d_min), exponent)": "d_min), exponent + 0.001)"}),
     "multiply for divide": Fault("slabs", "camera/translucency_ratio", {"pow(x, y) / pow(": "pow(x, y) * pow("}),
     "thickness not held above d_min": Fault(
@@ -138,7 +138,7 @@ LIGHT = {
         "camera/translucency_ratio",
         HALF | {"min_(term, TRANSLUCENCY_MAX)": "unpackHalf2x16(packHalf2x16(vec2(min_(term, TRANSLUCENCY_MAX)))).x"},
     ),
-    "multiply for add": Fault("bust", "camera/lit_transmit", {"Lit(reflected + albedo": "Lit(reflected * albedo"}),
+    "multiply for add": Fault("bust", "camera/lit_transmit", {"lit = reflected + albedo": "lit = reflected * albedo"}),
     "bytes between two passes": Fault(
         "bust", "camera/lit_transmit", {"out_lit = lit;": "out_lit = floor(lit * 255.0 + 0.5) / 255.0;"}
     ),
@@ -171,7 +171,7 @@ PUBLISHED = {  # the shadow map is read at the vertices, and targets hold bytes
         "wax", "camera/translucency_unclamped", {"thickness, exponent)": "thickness, exponent + 0.001)"}
     ),
     "bytes cut off": Fault("wax", "camera/stored_rgb8", {"* 255.0 + 0.5": "* 255.0"}, "camera_"),
-    "multiply for an addition": Fault("wax", "camera/lit_add", {"Lit(phong + albedo": "Lit(phong * albedo"}),
+    "multiply for an addition": Fault("wax", "camera/lit_add", {"lit = phong + albedo": "lit = phong * albedo"}),
     "squared distance": Fault("wax", "shadow_map/distance_to_light", {"sqrt(dot_(v, v))": "dot_(v, v)"}, "shadow_map"),
     "a byte of steps of 1/256": Fault(
         "wax", "shadow_map/stored_r8", {"+ 0.5) / 255.0": "+ 0.5) / 256.0"}, "shadow_map"
@@ -228,7 +228,7 @@ COMMAND = [
 def test_shaders_that_write_registers_name_the_stage_for_certain(registers, tmp_path, capsys):
     assert main(["glsl", "--scene", "figure4_wax", "-o", str(tmp_path), *registers, *COMMAND[:-2]]) == 0
     for path in tmp_path.glob("*.frag"):
-        path.write_text(path.read_text().replace("Lit(phong + albedo", "Lit(phong * albedo"))
+        path.write_text(path.read_text().replace("lit = phong + albedo", "lit = phong * albedo"))
     assert main(["validate", "figure4_wax", str(tmp_path), "--run-glsl", *COMMAND]) == 1
     certain, doubtful = "stage lit_add of pass camera is", "stage stored_rgb8 of pass camera, or one before it whose "
     assert (certain if registers else f"{doubtful}output was not given (camera/lit_add), is") in capsys.readouterr().out

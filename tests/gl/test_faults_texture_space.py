@@ -73,7 +73,7 @@ FAULTS = {
     "own irradiance for the entered": Fault(
         T, "camera/irradiance_added", {"scattered_irradiance, irradiance_uv)": "scattered_irradiance, uv)"}
     ),
-    "multiply for add": Fault(T, "camera/irradiance_added", {"IrradianceUsed(own + ": "IrradianceUsed(own * "}),
+    "multiply for add": Fault(T, "camera/irradiance_added", {"irradiance_used = own + ": "irradiance_used = own * "}),
     "no ambient light": Fault(T, "camera/image_product", {"(ambient + irradiance_used": "(irradiance_used"}),
     "sRGB write": Fault(T, "camera/image_product", {"out_image = image;": "out_image = pow(image, vec3(0.4545));"}),
     "no root": Fault(
