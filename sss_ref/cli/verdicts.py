@@ -44,7 +44,7 @@ def _table(found: "Report") -> Table:
     table = Table(box=SIMPLE, title="each stage, given what was drawn before it", title_justify="left")
     for name in ("pass", "stage", "buffer"):
         table.add_column(name, no_wrap=True)
-    for name in ("pixels", "same bits", *OUTCOMES, "chained", "width"):
+    for name in ("pixels", "same bits", *OUTCOMES, "outside", "chained", "width"):
         table.add_column(name, justify="right", no_wrap=True)
     for one in found.verdicts:
         table.add_row(*_cells(one), style="yellow" if one.inherits else None if one.passed else "red")
@@ -71,4 +71,5 @@ def _cells(one: "Verdict") -> list[str]:
     total = one.compared
     same, whole = (f"{count / total:.2%}" if count is not None and total else "-" for count in (one.equal, one.chained))
     shown = [str(count) if count else "-" for count in one.outcomes]
-    return [one.pass_name, one.stage, one.buffer, str(total), same, *shown, whole, compact(one.widths.most)]
+    outside = str(one.background.wrong) if one.background else "-"
+    return [one.pass_name, one.stage, one.buffer, str(total), same, *shown, outside, whole, compact(one.widths.most)]

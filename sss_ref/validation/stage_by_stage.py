@@ -117,7 +117,7 @@ def _verdicts(case: Case, only: np.ndarray | None, clock: Clock) -> Iterator[tup
                 return
             clock.tell(f"stage {check.stage}: {check.buffer}")
             if only is not None and check.where.shape == only.shape:
-                check = replace(check, where=check.where & only)
+                check = check.only_at(only)
             verdict = judged(check, whereabouts)
             if not verdict.passed:
                 doubtful = suspects(method, check.pass_name, check.buffer, buffers)

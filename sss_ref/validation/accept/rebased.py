@@ -8,6 +8,7 @@ a pass, which nobody dumps, is all that the round before may have given.
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import chain
+from typing import Any
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from sss_ref.language.pipeline import Pass
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import KnownBuffer
+from sss_ref.validation.accept.outside import nothing_drawn
 from sss_ref.validation.accept.storage import depth_storage, lost_in_storage, step_of
 from sss_ref.validation.accept.walk import filled, in_rounds, untouched
 
@@ -28,6 +30,7 @@ class Check:
     where: bool (H, W), the pixels that are compared. expected, got: (H, W) or (H, W, C). reach: float64, of the same
     shape: how far a processor of the profile may be off. undecided: bool (H, W), where it may choose one of several
     texels or sides. covered: of the rasterizer, uint8 (H, W), whether a pixel must be covered (`MUST_NOT` to `MUST`).
+    outside: of a stage, bool (H, W), the pixels on which nothing is drawn: there its background stands.
     """
 
     pass_name: str
@@ -39,6 +42,12 @@ class Check:
     reach: np.ndarray
     undecided: np.ndarray | None = None
     covered: np.ndarray | None = None
+    outside: np.ndarray | None = None
+
+    def only_at(self, chosen: np.ndarray) -> "Check":
+        """The check on some of its pixels, bool (H, W)."""
+        outside = None if self.outside is None else self.outside & chosen
+        return replace(self, where=self.where & chosen, outside=outside)
 
 
 def checks(case: Case) -> Iterator[Check]:
@@ -78,9 +87,18 @@ def _checks_of_stages(case: Case, drawn: DrawnPass) -> Iterator[Check]:
     wanted = [name for name in writers if name in dumped or name in this_pass.fed_back]
     start = untouched(case.oracle, drawn, wanted)
     found = in_rounds(drawn, drawn.read, where, start)
+    outside = nothing_drawn(case, drawn)
     for name in (name for name in wanted if name in dumped):
         known = found[name]
-        yield Check(this_pass.name, writers[name], name, where, known.exact, dumped[name], known.reach, known.doubt)
+        check = Check(this_pass.name, writers[name], name, where, known.exact, dumped[name], known.reach, known.doubt)
+        yield check if this_pass.is_register(name) else _with_background(check, outside, case.oracle.scene.clear(name))
+
+
+def _with_background(check: Check, outside: np.ndarray, clear: Any) -> Check:
+    """The check of a buffer that holds a number, or one for each channel, where nothing is drawn: exactly that."""
+    expected, reach = check.expected.copy(), check.reach.copy()
+    expected[outside], reach[outside] = clear, 0.0
+    return replace(check, expected=expected, reach=reach, outside=outside)
 
 
 def _same_triangle(case: Case, drawn: DrawnPass) -> np.ndarray:

@@ -70,6 +70,8 @@ class Report:
         if wrong is None:
             return f"pass: {len(self.verdicts)} buffers, every stage gives what it should"
         at = f"stage {wrong.stage} of pass {wrong.pass_name}"
+        if not wrong.failing and wrong.background:
+            return f"fail: pass {wrong.pass_name} is the first that is wrong: in {wrong.buffer}, {wrong.background}"
         if wrong.compared == wrong.undefined:
             return f"fail: {at}: no pixel of {wrong.buffer} can be compared"
         return (
@@ -86,7 +88,9 @@ class Report:
         worst = wrong.worst
         far = [f"the worst pixel is {worst.ulps:.3g} ulp beyond its interval, {worst.widths:.3g} times its width"]
         few = ["too few pixels are wrong to say what would explain it"] if wrong.failing < TELLING else []
-        return [f"first {wrong.first}", *(far if math.isfinite(worst.widths) else []), wrong.clusters.sentence, *few]
+        besides = [f"besides, {wrong.background}"] if wrong.background else []
+        told = [*(far if math.isfinite(worst.widths) else []), wrong.clusters.sentence, *besides, *few]
+        return [f"first {wrong.first}", *told]
 
     @property
     def sensitivity(self) -> list[str]:

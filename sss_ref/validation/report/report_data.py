@@ -53,6 +53,7 @@ def _buffer(verdict: Verdict) -> dict[str, Any]:
         "worst": _pixel(verdict.worst),
         "clusters": asdict(verdict.clusters) if verdict.clusters else None,
         "suspects": list(verdict.suspects),
+        "background": asdict(verdict.background) if verdict.background else None,
     }
 
 

@@ -14,7 +14,7 @@ from sss_ref.validation.verdict.widths import WIDTH_CLASSES, compact
 
 BAR, BARS = 110, 16  # width of a bar of outcomes, height of a histogram, in CSS pixels
 LEAST = 2  # height of a class that holds anything at all
-HEADS = ("buffer", "outcome", "pixels", "same bits", *OUTCOMES, "chained", "widths", "95 %", "ulp off")
+HEADS = ("buffer", "outcome", "pixels", "same bits", *OUTCOMES, "outside", "chained", "widths", "95 %", "ulp off")
 
 
 def buffer_table(verdicts: Sequence[Verdict]) -> str:
@@ -43,7 +43,8 @@ def _row(verdict: Verdict) -> str:
     widths, ulps = _histogram(verdict.widths.counts, WIDTH_CLASSES), _histogram(verdict.ulps, ULP_CLASSES)
     name = f"{escape(verdict.buffer)}<small>{escape(verdict.stage)}</small>"
     compared, most = f"{verdict.compared:,}", compact(verdict.widths.most)
-    texts = [name, _outcome_bar(verdict), compared, same, *counts, whole, widths, most, ulps]
+    outside = f"{verdict.background.wrong:,}" if verdict.background else "·"
+    texts = [name, _outcome_bar(verdict), compared, same, *counts, outside, whole, widths, most, ulps]
     kind = ' class="inherits"' if verdict.inherits else "" if verdict.passed else ' class="fail"'
     return f"<tr{kind}>{''.join(f'<td>{text}</td>' for text in texts)}</tr>"
 

@@ -69,7 +69,8 @@ class Whereabouts:
         triangles, layout = self.triangles(pass_name), self._mesh_pass(pass_name).draw.layout
         outline = _varies(triangles >= 0)
         border = "at the borders of the UV layout" if layout else "at the outline"
-        named = {border: outline, "at triangle edges inside": _varies(triangles) & ~outline}
+        named = {"where nothing is drawn": triangles < 0, border: outline}
+        named["at triangle edges inside"] = _varies(triangles) & ~outline
         for name in (name for name in self._mesh_pass(pass_name).outputs if name.startswith(SHADOW)):
             lit = self.oracle[name] != 0
             named[f"where {name} changes"] = _varies(lit) & ~outline
@@ -101,11 +102,14 @@ def _sentence(zones: tuple[Zone, ...], triangles: np.ndarray, where: np.ndarray,
 
 
 def _standing_out(zones: tuple[Zone, ...], errors: int, total: int) -> Iterator[tuple[float, Zone]]:
-    """The zones that hold most of the wrong pixels and far fewer of all, each with how many times as often."""
+    """The zones that hold most of the wrong pixels and far fewer of all, each with how many times as often.
+
+    A zone that is nothing but the wrong pixels, all of them, stands out however large it is.
+    """
     for zone in (zone for zone in zones if zone.compared):
         share = zone.wrong / errors
         ratio = share * total / zone.compared
-        if share >= MOST and ratio >= CLEARLY:
+        if (share >= MOST and ratio >= CLEARLY) or zone.wrong == errors == zone.compared:
             yield ratio, zone
 
 

@@ -6,8 +6,10 @@ import numpy as np
 
 from sss_ref.results.diff import ULP_CLASSES, ulp_class
 from sss_ref.validation.accept.rebased import Check
+from sss_ref.validation.verdict.background import Background, background_of
 from sss_ref.validation.verdict.clusters import Clusters, Whereabouts
 from sss_ref.validation.verdict.outcomes import AMBIGUOUS, FAIL, UNBOUNDED, UNDEFINED, Compared, compared, distance
+from sss_ref.validation.verdict.pixel_text import pixel_text
 from sss_ref.validation.verdict.widths import Widths, in_ulps, widths_of
 
 
@@ -40,7 +42,7 @@ class Verdict:
     ulps: values in each of ULP_CLASSES. first, worst: the first wrong pixel, row by row from the bottom, and the one
     that lies farthest beyond its reach; None without any, as are the clusters. suspects: of a buffer that is wrong, the
     stages one of which is, as PASS/STAGE in stage order: its own as the last, and those before it whose results were
-    not given.
+    not given. background: what stands where nothing is drawn, if that is wrong.
     """
 
     pass_name: str
@@ -59,6 +61,7 @@ class Verdict:
     clusters: Clusters | None = None
     chained: int | None = None  # pixels within what the whole may give without any of the dump (see `chained`)
     suspects: tuple[str, ...] = ()
+    background: Background | None = None
 
     @property
     def certain(self) -> int:
@@ -82,8 +85,8 @@ class Verdict:
 
     @property
     def passed(self) -> bool:
-        """Whether there are pixels of which something can be said, and none of them is out of reach."""
-        return self.compared > self.undefined and not self.failing
+        """Whether there are pixels of which something can be said, none of them is out of reach, nor the background."""
+        return self.compared > self.undefined and not self.failing and self.background is None
 
 
 def judged(check: Check, whereabouts: Whereabouts) -> Verdict:
@@ -102,6 +105,7 @@ def judged(check: Check, whereabouts: Whereabouts) -> Verdict:
         undefined=pixels.count(UNDEFINED),
         ulps=_ulps_off(pixels),
         widths=widths_of(pixels.expected[defined], pixels.reach[defined]),
+        background=background_of(check),
     )
     return _with_wrong_pixels(verdict, check, pixels, whereabouts) if wrong.any() else verdict
 
@@ -133,7 +137,7 @@ def _wrong_pixel(check: Check, pixels: Compared, index: int, whereabouts: Wherea
     ulps = in_ulps(beyond, pixels.expected[at], pixels.reach[at])
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
         widths = np.where(beyond > 0, beyond / (2 * pixels.reach[at]), 0.0)
-    values = _shown(pixels.got[index]), _shown(pixels.expected[index])
+    values = pixel_text(pixels.got[index]), pixel_text(pixels.expected[index])
     return WrongPixel(
         (column, row), *values, whereabouts.at(check.pass_name, (column, row)), float(ulps.max()), float(widths.max())
     )
@@ -144,8 +148,3 @@ def _beyond(pixels: Compared, at: np.ndarray) -> np.ndarray:
     with np.errstate(invalid="ignore"):
         beyond = np.maximum(distance(pixels.expected[at], pixels.got[at]) - pixels.reach[at], 0.0)
     return np.where(np.isfinite(pixels.got[at]), beyond, np.inf)
-
-
-def _shown(pixel: np.ndarray) -> str:
-    parts = [str(part) for part in np.atleast_1d(pixel)]
-    return parts[0] if len(parts) == 1 else f"({', '.join(parts)})"
