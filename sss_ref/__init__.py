@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from sss_ref.scene.load import load_scene
     from sss_ref.scene.own_stage import with_stage
     from sss_ref.scene.scene import Scene
+    from sss_ref.validation.scope import Scope
     from sss_ref.validation.stage_by_stage import assert_valid, validate
 
 _HOMES = {
@@ -29,6 +30,7 @@ _HOMES = {
     "Result": "sss_ref.rendering.result",
     "Scene": "sss_ref.scene.scene",
     "SceneError": "sss_ref.errors",
+    "Scope": "sss_ref.validation.scope",
     "SssRefError": "sss_ref.errors",
     "StageError": "sss_ref.errors",
     "explain": "sss_ref.explanation.explain",
@@ -46,6 +48,7 @@ __all__ = [
     "Result",
     "Scene",
     "SceneError",
+    "Scope",
     "SssRefError",
     "StageError",
     "assert_valid",

@@ -1,12 +1,15 @@
 """What several commands have in common: overrides of the scene, and how its stages are run."""
 
 import tomllib
-from dataclasses import dataclass
-from typing import Annotated, Any, Literal
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
 from sss_ref.errors import SceneError
+
+if TYPE_CHECKING:
+    from sss_ref.validation.scope import Scope
 
 
 @Parameter(name="*")
@@ -65,7 +68,28 @@ class Wanted:
             )
 
 
-NO_CHANGES, KERNELS, EVERYTHING = Changes(), Execution(), Wanted()
+@Parameter(name="*")
+@dataclass(frozen=True)
+class Haste:
+    """What validating leaves out."""
+
+    only: Annotated[str | None, Parameter(show_default=False)] = None
+    """Judge a single stage, by name, or the rasterizer."""
+    quick: Annotated[bool, Parameter(negative="")] = False
+    """Look for an explanation for a second at most, and not for how small an error would be seen."""
+    no_power: Annotated[bool, Parameter(negative="")] = False
+    """Do not work out how small an error would be seen."""
+
+    @property
+    def scope(self) -> "Scope":
+        """How far `judge` goes."""
+        from sss_ref.validation.scope import FULL, QUICK
+
+        scope = QUICK if self.quick else FULL
+        return replace(scope, stage=self.only, power=scope.power and not self.no_power)
+
+
+NO_CHANGES, KERNELS, EVERYTHING, NO_HASTE = Changes(), Execution(), Wanted(), Haste()
 
 
 def _size(text: str | None) -> dict[str, int]:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from sss_ref.cli.console import DIFFERS, announce_compilation, err, out, progress
-from sss_ref.cli.options import KERNELS, NO_CHANGES, Changes, Execution
+from sss_ref.cli.options import KERNELS, NO_CHANGES, NO_HASTE, Changes, Execution, Haste
 from sss_ref.cli.verdicts import print_report
 from sss_ref.errors import DumpError
 
@@ -47,6 +47,7 @@ def validate(
         Path | None, Parameter(help="A file for the verdicts as JUnit XML, a test case a buffer.", show_default=False)
     ] = None,
     metrics: Annotated[bool, Parameter(negative="", help="Tell also what SSIM and FLIP say of the pictures.")] = False,
+    haste: Haste = NO_HASTE,
     changes: Changes = NO_CHANGES,
     execution: Execution = KERNELS,
 ) -> int:
@@ -75,7 +76,7 @@ def validate(
             only = _judged_pixels(loaded, region, exclude)
         with clock.phase("rendering"):
             oracle = render(loaded, execution.interpreter, execution.threads, on_pass=lambda name: show(f"pass {name}"))
-        found = judge(oracle, drawing, only, profile, True, clock)
+        found = judge(oracle, drawing, only, profile, haste.scope, clock)
         if metrics:
             with clock.phase("metrics"):
                 found = replace(found, likeness=tuple(likeness(oracle, drawing.buffers)))

@@ -1,9 +1,12 @@
-"""What validating spends its time on, told while it runs and kept for the report."""
+"""What validating spends its time on, told while it runs and kept for the report, and what it does not spend."""
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from typing import TypeVar
+
+T = TypeVar("T")
 
 
 def _silent(text: str) -> None:
@@ -26,3 +29,26 @@ class Clock:
             yield
         finally:
             self.seconds[name] = self.seconds.get(name, 0.0) + time.perf_counter() - start
+
+
+@dataclass
+class Limit:
+    """A span of wall time for tries, the likely ones first. skipped: kind of tries -> how many were not made."""
+
+    seconds: float
+    skipped: dict[str, int] = field(default_factory=dict)
+    start: float = field(default_factory=lambda: time.perf_counter())
+
+    def within(self, kind: str, tries: Iterable[T]) -> Iterator[T]:
+        """The tries that begin in time; the others are counted."""
+        for each in tries:
+            if time.perf_counter() - self.start < self.seconds:
+                yield each
+            else:
+                self.skipped[kind] = self.skipped.get(kind, 0) + 1
+
+    @property
+    def told(self) -> str:
+        """What was not tried, as a sentence; empty if all was."""
+        kinds = ", ".join(f"{count} {kind}" for kind, count in self.skipped.items())
+        return f"not tried within {self.seconds:g} s: {kinds}" if kinds else ""

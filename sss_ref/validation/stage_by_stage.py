@@ -9,7 +9,7 @@ import numpy as np
 
 from sss_ref.dump.read import read_dump
 from sss_ref.errors import SceneError
-from sss_ref.errors.wording import told
+from sss_ref.errors.wording import nearest, told
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.methods.stages import all_stages
 from sss_ref.rendering.fold import render
@@ -17,16 +17,16 @@ from sss_ref.rendering.result import Result
 from sss_ref.scene.load import load_scene
 from sss_ref.scene.scene import Scene
 from sss_ref.validation.accept.case import Case
-from sss_ref.validation.accept.chained import chained
+from sss_ref.validation.accept.chained import within_bounds
 from sss_ref.validation.accept.dumped import Buffers, Drawing, Stored
-from sss_ref.validation.accept.known import KnownBuffer
 from sss_ref.validation.accept.rebased import RASTERIZER, Check, checks, last_round
 from sss_ref.validation.cause.hypotheses import hypotheses
 from sss_ref.validation.cause.power import power
-from sss_ref.validation.clock import Clock
+from sss_ref.validation.clock import Clock, Limit
 from sss_ref.validation.profile_file import profile_of
 from sss_ref.validation.report.report import Finding, Report
 from sss_ref.validation.report.worst_pixel import worst_pixel
+from sss_ref.validation.scope import FULL, VERDICTS_ALONE, Scope
 from sss_ref.validation.verdict.clusters import Whereabouts
 from sss_ref.validation.verdict.suspects import suspects
 from sss_ref.validation.verdict.verdict import Verdict, judged
@@ -40,7 +40,7 @@ def validate(
     stored: Stored | None = None,
     only: np.ndarray | None = None,
     profile: Profile | str = DEFAULT_PROFILE,
-    explain: bool = True,
+    explain: bool | Scope = True,
 ) -> Report:
     """Hold the buffers of another implementation against the stages, one stage at a time.
 
@@ -52,14 +52,15 @@ def validate(
     only: bool (H, W) of the camera's size, the pixels of its buffers that are judged.
     profile: the processor that may have drawn them, by name ("ieee", "vulkan", "gl", "mediump"), as a TOML file or as a
     Profile; accepted is what it may give. explain: whether to look for what would explain a failure, and for how small
-    an error would have been seen.
-    Raises SceneError where a buffer is not one of the scene, or not of its type and size, and DumpError as `read_dump`
-    does.
+    an error would have been seen; or a `Scope`, which may also choose a single stage.
+    Raises SceneError where a buffer is not one of the scene, or not of its type and size, and for an unknown stage, and
+    DumpError as `read_dump` does.
     """
     clock = Clock()
     with clock.phase("rendering"):
         oracle = _oracle(scene)
-    return judge(oracle, _drawing(oracle.scene, buffers, stored or {}), only, profile, explain, clock)
+    scope = explain if isinstance(explain, Scope) else FULL if explain else VERDICTS_ALONE
+    return judge(oracle, _drawing(oracle.scene, buffers, stored or {}), only, profile, scope, clock)
 
 
 def _oracle(scene: Scene | Result | str | PathLike[str]) -> Result:
@@ -82,34 +83,37 @@ def judge(
     drawing: Drawing,
     only: np.ndarray | None,
     profile: Profile | str,
-    explain: bool,
+    scope: Scope,
     clock: Clock,
 ) -> Report:
     """As `validate`, of what is known of a drawing, with the time it takes. Raises SceneError as it does."""
     _check_buffers(oracle, drawing.buffers)
     _check_something_is_drawn(oracle, only)
+    _check_stage(oracle, scope)
     kind = profile_of(profile) if isinstance(profile, str) else profile
     case = Case(oracle, _near_to_far(oracle, drawing.coarse) if kind.reversed_depth else drawing.coarse, kind)
-    with clock.phase("chained"):
-        bounds = chained(case, drawing.buffers)
     verdicts, finding, compared = [], None, {}
-    for check, verdict in _verdicts(case, only, clock):
-        verdicts.append(replace(verdict, chained=_within_bounds(check, bounds, case.drawing)))
-        compared[check.buffer] = check.where
-        if explain and finding is None and not verdict.passed:
+    for check, verdict in _verdicts(case, only, scope.stage, clock):
+        verdicts.append(verdict)
+        compared[check.buffer] = check
+        if scope.causes and finding is None and not verdict.passed:
             with clock.phase("hypotheses"):
-                finding = _finding(case, check, verdict)
+                finding = _finding(case, check, verdict, scope.seconds)
+    with clock.phase("chained"):
+        within = within_bounds(case, compared.values())
     missing = tuple(name for name in oracle.scene.method.outputs if name not in drawing.buffers)
     with clock.phase("power"):
-        sight = tuple(power(case, compared)) if explain else ()
+        where = {name: check.where for name, check in compared.items()}
+        sight = tuple(power(case, where)) if scope.power else ()
     name = profile if isinstance(profile, str) else "a profile of its own"
-    return Report(tuple(verdicts), missing, finding, sight, (), name, drawing.device, clock.seconds)
+    whole = tuple(replace(each, chained=within[each.buffer]) for each in verdicts)
+    return Report(whole, missing, finding, sight, (), name, drawing.device, clock.seconds, scope.stage)
 
 
-def _verdicts(case: Case, only: np.ndarray | None, clock: Clock) -> Iterator[tuple[Check, Verdict]]:
-    """Every buffer in stage order, judged on the chosen pixels."""
+def _verdicts(case: Case, only: np.ndarray | None, stage: str | None, clock: Clock) -> Iterator[tuple[Check, Verdict]]:
+    """Every buffer in stage order, or those of one stage, judged on the chosen pixels."""
     buffers, method = case.drawing.buffers, case.oracle.scene.method
-    whereabouts, todo = Whereabouts(case.oracle, buffers), checks(case)
+    whereabouts, todo = Whereabouts(case.oracle, buffers), checks(case, stage)
     while True:
         with clock.phase("rebased"):
             check = next(todo, None)
@@ -130,16 +134,6 @@ def _near_to_far(oracle: Result, drawing: Drawing) -> Drawing:
     depths = {each.draw.depth for each in oracle.scene.method.passes} & set(drawing.buffers)
     turned = {name: np.float32(1) - drawing.buffers[name] for name in depths}
     return replace(drawing, buffers={**drawing.buffers, **turned})
-
-
-def _within_bounds(check: Check, bounds: Mapping[str, KnownBuffer], drawing: Drawing) -> int | None:
-    """How many compared pixels lie within the chained bounds; None of what the rasterizer writes, which has none."""
-    if check.stage == RASTERIZER:
-        return None
-    ends = bounds[check.buffer].low, bounds[check.buffer].high
-    low, high = (np.atleast_3d(end)[check.where].astype(np.float64) for end in ends)
-    got = drawing.before(check.buffer, np.atleast_3d(check.got)[check.where])
-    return int(((got.high >= low) & (got.low <= high)).all(axis=-1).sum())
 
 
 def assert_valid(
@@ -177,9 +171,19 @@ def _check_something_is_drawn(oracle: Result, only: np.ndarray | None) -> None:
         raise SceneError(told(where, expected, "none", "change the view or the region; a blank picture proves nothing"))
 
 
-def _finding(case: Case, check: Check, verdict: Verdict) -> Finding:
+def _check_stage(oracle: Result, scope: Scope) -> None:
+    """Raise SceneError for a stage that none of the passes has."""
+    stages = {RASTERIZER, *(stage.name for each in oracle.scene.method.passes for stage in each.stages)}
+    if scope.stage is not None and scope.stage not in stages:
+        raise SceneError(told("only", "a stage of the method", scope.stage, nearest(scope.stage, stages)))
+
+
+def _finding(case: Case, check: Check, verdict: Verdict, seconds: float) -> Finding:
     """Look closer at what is wrong."""
     drawn = last_round(case, case.oracle.scene.method[check.pass_name])
-    found = hypotheses(check, drawn, all_stages()) if check.where.any() else []
     section = worst_pixel(check, verdict.worst.at, drawn) if verdict.worst else None
-    return Finding(check, tuple(found), section)
+    if not check.where.any():
+        return Finding(check, (), section)
+    limit = Limit(seconds)
+    found = hypotheses(check, drawn, all_stages(), limit)
+    return Finding(check, tuple(found), section, limit.told)

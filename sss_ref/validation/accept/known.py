@@ -93,7 +93,7 @@ class KnownBuffer:
 
 def stacked(value: Any) -> np.ndarray:
     """The components of a value side by side: (N, C), or (1, C) for a uniform."""
-    return np.stack([np.atleast_1d(part) for part in components(value)], axis=-1)
+    return np.stack(np.broadcast_arrays(*map(np.atleast_1d, components(value))), axis=-1)
 
 
 def _reach(exact: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:

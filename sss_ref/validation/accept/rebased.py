@@ -50,13 +50,22 @@ class Check:
         return replace(self, where=self.where & chosen, outside=outside)
 
 
-def checks(case: Case) -> Iterator[Check]:
-    """All buffers of a dump in stage order."""
+def checks(case: Case, only: str | None = None) -> Iterator[Check]:
+    """All buffers of a dump in stage order, or those of a single stage."""
     for this_pass in case.oracle.scene.method.passes:
-        if set(this_pass.values) & set(case.drawing.buffers):
+        if _written(this_pass, only) & set(case.drawing.buffers):
             drawn = case.drawn(this_pass)
             for check in chain(_checks_of_draw(case, drawn), _checks_of_stages(case, drawn)):
-                yield _as_stored(check, case)
+                if only in (None, check.stage):
+                    yield _as_stored(check, case)
+
+
+def _written(this_pass: Pass, only: str | None) -> set[str]:
+    """What a pass writes, or a single stage of it."""
+    if only is None:
+        return set(this_pass.values)
+    named = {name for stage in this_pass.stages if stage.name == only for name in stage.writes.values()}
+    return named | (set(this_pass.draw.outputs) if only == RASTERIZER else set())
 
 
 def _as_stored(check: Check, case: Case) -> Check:

@@ -22,10 +22,12 @@ from sss_ref.validation.accept.walk import run_stage
 from sss_ref.validation.cause.mishaps import mishaps
 from sss_ref.validation.cause.mutants import Mutant, mutants
 from sss_ref.validation.cause.on_the_way import changes_on_the_way, within
+from sss_ref.validation.clock import Limit
 
 SAMPLE = 600  # pixels on which explanations are tried
 TELLING = 8  # wrong pixels from which on explanations mean something
 EVERY = 15  # of these the ones on which a mutant is tried first
+NUMBERS, CLOSER = 9, 12  # tried on each side of the best one at a time, and how often
 NEVER_WRONG = ("light_count",)  # uniforms that nobody sets by hand
 ENOUGH = 0.98  # of these that an explanation must bring within reach
 
@@ -70,7 +72,15 @@ class Sample:
 
     def thinned(self) -> "Sample":
         """Fewer of the pixels."""
-        return replace(self, inputs=list(map(_thinned, self.inputs)), got=self.got[::EVERY], reach=self.reach[::EVERY])
+        return self._each(lambda array: array[::EVERY])
+
+    def repeated(self, times: int) -> "Sample":
+        """All pixels, so many times one after the other."""
+        return self._each(lambda array: np.concatenate([array] * times))
+
+    def _each(self, change: Callable[[np.ndarray], np.ndarray]) -> "Sample":
+        inputs = [_of_pixels(change, value) for value in self.inputs]
+        return replace(self, inputs=inputs, got=change(self.got), reach=change(self.reach))
 
     @property
     def own_name(self) -> str:
@@ -78,21 +88,25 @@ class Sample:
         return next(own for own, name in self.stage.writes.items() if name == self.name)
 
 
-def hypotheses(check: Check, drawn: DrawnPass, others: Mapping[str, Stage]) -> list[Hypothesis]:
+def hypotheses(check: Check, drawn: DrawnPass, others: Mapping[str, Stage], limit: Limit) -> list[Hypothesis]:
     """The explanations that fit, the best first; none for so few wrong pixels that nearly all would.
 
-    others: all stages by name, to be tried in the place of this one.
+    others: all stages by name, to be tried in the place of this one. limit: the time for it; the cheap ones come first,
+    and once one of them fits everywhere, no mistake in the source is looked for.
     """
     wrong = check.where & ~within(check, check.got, check.expected)
     if wrong.sum() < TELLING:
         return []
     found = [Hypothesis(text, share) for text, share in changes_on_the_way(check)]
     if check.stage == RASTERIZER and drawn.visible:
-        found += [Hypothesis(*each) for each in mishaps(drawn.visible, check.buffer, check.got, wrong)]
+        drawings = limit.within("mishaps of the draw", mishaps(drawn.visible, check.buffer, check.got, wrong))
+        found += [Hypothesis(*each) for each in drawings]
     sample = _sample(check, drawn)
     if sample is not None:
-        tried = (*_numbers(sample), *_other_stages(sample, others), *_kernels(sample), *_mutants(sample))
-        found += [Hypothesis(text, share) for text, share in tried]
+        tried = (*_other_stages(sample, others), *_kernels(sample), *_numbers(sample, limit))
+        found += [Hypothesis(*each) for each in tried]
+        if all(each.share < 1 for each in found):
+            found += [Hypothesis(*each) for each in _mutants(sample, limit)]
     fitting = [each for each in found if each.share >= ENOUGH]
     return sorted(fitting, key=lambda each: -each.share)[:8]
 
@@ -100,10 +114,11 @@ def hypotheses(check: Check, drawn: DrawnPass, others: Mapping[str, Stage]) -> l
 Tried = Iterator[tuple[str, float]]
 
 
-def _thinned(value: Any) -> Any:
+def _of_pixels(change: Callable[[np.ndarray], np.ndarray], value: Any) -> Any:
+    """An input whose arrays of pixels are changed; what all pixels share stays as it is."""
     if isinstance(value, Vector):
-        return type(value)(*map(_thinned, value))
-    return value[::EVERY] if isinstance(value, np.ndarray) else value
+        return type(value)(*(_of_pixels(change, part) for part in value))
+    return change(value) if isinstance(value, np.ndarray) else value
 
 
 def _sample(check: Check, drawn: DrawnPass) -> Sample | None:
@@ -121,16 +136,24 @@ def _sample(check: Check, drawn: DrawnPass) -> Sample | None:
     return Sample(run.stage, run.inputs, check.buffer, got, reach)
 
 
-def _numbers(sample: Sample) -> Tried:
+def _numbers(sample: Sample, limit: Limit) -> Tried:
     """Another value of one uniform number, or of one after the other component of a uniform vector."""
+    few = sample.thinned()
+    for own in limit.within("numbers", _own_numbers(sample)):
+        parts = components(sample.given[own])
+        found = list(parts)
+        for k, part in enumerate(parts):
+            found[k] = np.float32(_fitted(partial(_misfits, few, own, tuple(found), k), part))
+        share = sample.share(_with_number(sample, own, tuple(found), 0, found[0]))
+        yield f"{sample.stage.reads[own]} is {_listed(found)} instead of {_listed(parts)}", share
+
+
+def _own_numbers(sample: Sample) -> Iterator[str]:
+    """The stage's own names of its uniforms that are numbers or vectors of these, and that somebody may set wrong."""
     for own, value in sample.given.items():
         parts = [] if isinstance(value, Texture | Array | mat3 | mat4) else components(value)
         if own not in NEVER_WRONG and parts and all(isinstance(part, np.float32) for part in parts):
-            found, few = list(parts), sample.thinned()
-            for k, part in enumerate(parts):
-                found[k] = np.float32(_fitted(partial(_with_number, few, own, tuple(found), k), part, few))
-            share = sample.share(_with_number(sample, own, tuple(found), 0, found[0]))
-            yield f"{sample.stage.reads[own]} is {_listed(found)} instead of {_listed(parts)}", share
+            yield own
 
 
 def _listed(parts: list[Any]) -> str:
@@ -138,33 +161,34 @@ def _listed(parts: list[Any]) -> str:
     return texts[0] if len(texts) == 1 else f"({', '.join(texts)})"
 
 
-def _with_number(sample: Sample, own: str, parts: tuple[Any, ...], k: int, number: np.float32) -> np.ndarray:
-    """What the stage gives with one component of a uniform changed."""
+def _with_number(sample: Sample, own: str, parts: tuple[Any, ...], k: int, number: Any) -> np.ndarray:
+    """What the stage gives with one component of a uniform changed; number: float32, or one for each pixel."""
     changed = [*parts[:k], number, *parts[k + 1 :]]
     kind = sample.stage.parameters[own]
     return sample.with_inputs({own: changed[0] if len(changed) == 1 else kind(*changed)})
 
 
-def _fitted(compute: Callable[[np.float32], np.ndarray], value: np.float32, sample: Sample) -> float:
-    """The number with which most comes within reach: searched in steps that grow, then halved around the best."""
+def _misfits(sample: Sample, own: str, parts: tuple[Any, ...], k: int, numbers: np.ndarray) -> np.ndarray:
+    """How far off the stage is with each of these numbers in the place of a component, float64 (K,); run just once."""
+    many = sample.repeated(len(numbers))
+    with np.errstate(all="ignore"):
+        values = _with_number(many, own, parts, k, np.repeat(numbers.astype(np.float32), len(sample.got)))
+        apart = np.abs(values.astype(np.float64) - many.got) / (many.reach + 1e-30)
+    return np.nan_to_num(apart, nan=1e30, posinf=1e30).reshape(len(numbers), -1).mean(axis=1)
 
-    def misfit(number: float) -> float:
-        with np.errstate(all="ignore"):
-            apart = np.abs(compute(np.float32(number)).astype(np.float64) - sample.got) / (sample.reach + 1e-30)
-        return float(np.mean(np.nan_to_num(apart, nan=1e30, posinf=1e30)))
 
+def _fitted(misfits: Callable[[np.ndarray], np.ndarray], value: np.float32) -> float:
+    """The number with which most comes within reach: searched in steps that grow, then ever closer to the best."""
     scale = abs(float(value)) or 1.0
     steps = [0.0, *(sign * scale * 10.0**power for power in np.arange(-5, 1.01, 0.125) for sign in (-1, 1))]
-    candidates = sorted(float(value) + step for step in steps)
-    best = int(np.argmin([misfit(number) for number in candidates]))
-    low, high = candidates[max(best - 1, 0)], candidates[min(best + 1, len(candidates) - 1)]
-    for _ in range(60):
-        third = (high - low) / 3
-        if misfit(low + third) < misfit(high - third):
-            high -= third
-        else:
-            low += third
-    return min(candidates[best], (low + high) / 2, key=misfit)
+    candidates = np.sort(float(value) + np.array(steps))
+    for _ in range(1 + CLOSER):
+        errors = misfits(candidates)
+        best = int(errors.argmin())
+        around = candidates[max(best - 1, 0)], candidates[best], candidates[min(best + 1, len(candidates) - 1)]
+        found = float(candidates[best])
+        candidates = np.concatenate([np.linspace(*around[:2], NUMBERS), np.linspace(*around[1:], NUMBERS)[1:]])
+    return found
 
 
 def _other_stages(sample: Sample, others: Mapping[str, Stage]) -> Tried:
@@ -197,10 +221,10 @@ def _kernels(sample: Sample) -> Tried:
             yield text, sample.share(sample.with_inputs(arrays))
 
 
-def _mutants(sample: Sample) -> Tried:
+def _mutants(sample: Sample, limit: Limit) -> Tried:
     """Every mutant of the stage; a mistake that reads beside a texture is passed over."""
     few = sample.thinned()
-    for mutant in mutants(sample.stage):
+    for mutant in limit.within("mistakes in the source", mutants(sample.stage)):
         if _share_of(mutant, few) >= ENOUGH:
             yield mutant.description, _share_of(mutant, sample)
 

@@ -20,11 +20,13 @@ class Finding:
 
     check: its buffer beside what should be in it. hypotheses: what would explain it. section: the stage at the worst
     pixel, line by line, as it should have been and may be, then what was drawn; None for what the rasterizer wrote.
+    not_tried: which explanations were not, in a sentence; empty if all were.
     """
 
     check: Check
     hypotheses: tuple[Hypothesis, ...]
     section: Section | None
+    not_tried: str = ""
 
 
 @dataclass(frozen=True)
@@ -33,7 +35,7 @@ class Report:
 
     missing: buffers that were not dumped. finding: None if all is right. power: of each judged stage, what would be
     seen. likeness: what metrics of pictures say, if asked for. profile: the processor that may have drawn the buffers,
-    by name. device: the one that did, in its own words. seconds: phase -> time.
+    by name. device: the one that did, in its own words. seconds: phase -> time. only: the single stage that was judged.
     """
 
     verdicts: tuple[Verdict, ...]
@@ -44,6 +46,7 @@ class Report:
     profile: str = ""
     device: str | None = None
     seconds: Mapping[str, float] = field(default_factory=dict)
+    only: str | None = None
 
     @property
     def culprit(self) -> Verdict | None:
@@ -59,25 +62,33 @@ class Report:
     def explanations(self) -> list[str]:
         """What would explain the failure, in sentences."""
         found = self.finding.hypotheses if self.finding else ()
-        return [f"explained on {each.share:.1%} of the pixels tried: {each.text}" for each in found]
+        told = [f"explained on {each.share:.1%} of the pixels tried: {each.text}" for each in found]
+        return [*told, self.finding.not_tried] if self.finding and self.finding.not_tried else told
 
     @property
     def summary(self) -> str:
         """The outcome in a sentence."""
         if not self.verdicts:
-            return "fail: there is no buffer to judge"
+            return f"fail: there is no buffer{f' of stage {self.only}' if self.only else ''} to judge"
         wrong = self.culprit
+        if wrong is None and self.only:
+            return f"pass: stage {self.only} gives what it should; no other stage was judged"
         if wrong is None:
             return f"pass: {len(self.verdicts)} buffers, every stage gives what it should"
         at = f"stage {wrong.stage} of pass {wrong.pass_name}"
         if not wrong.failing and wrong.background:
-            return f"fail: pass {wrong.pass_name} is the first that is wrong: in {wrong.buffer}, {wrong.background}"
+            return f"fail: pass {wrong.pass_name} is {self._which} wrong: in {wrong.buffer}, {wrong.background}"
         if wrong.compared == wrong.undefined:
             return f"fail: {at}: no pixel of {wrong.buffer} can be compared"
         return (
-            f"fail: {at}{_or_before(wrong)} is the first that is wrong: {wrong.failing / wrong.compared:.1%} of the "
+            f"fail: {at}{_or_before(wrong)} is {self._which} wrong: {wrong.failing / wrong.compared:.1%} of the "
             f"pixels of {wrong.buffer} are out of reach, worst {wrong.worst}"
         )
+
+    @property
+    def _which(self) -> str:
+        """How a wrong stage is called among those that were judged."""
+        return "the only one judged, and" if self.only else "the first that is"
 
     @property
     def details(self) -> list[str]:

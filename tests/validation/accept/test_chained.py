@@ -6,15 +6,17 @@ import pytest
 from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
+from sss_ref.validation.accept import chained as chaining
 from sss_ref.validation.accept.case import Case
-from sss_ref.validation.accept.chained import chained
+from sss_ref.validation.accept.chained import chained, within_bounds
 from sss_ref.validation.accept.dumped import Drawing
+from sss_ref.validation.accept.rebased import checks
 
 SMALL = {f"{t}.{s}": 48 for t in ("camera", "shadow_map", "irradiance_map") for s in ("width", "height")}
 
 
 def bounds_of(oracle, profile):
-    return chained(Case(oracle, Drawing({}), PROFILES[profile]))
+    return chained(Case(oracle, Drawing({}), PROFILES[profile]), oracle.buffers)
 
 
 def ends(known):
@@ -46,3 +48,36 @@ def test_bounds_of_the_image_are_narrow_enough_to_show_a_wrong_exponent():
     for buffer in ("translucency", "lit", "image"):
         assert not within(wrong[buffer], bounds[buffer]).all()
     assert within(wrong["phong"], bounds["phong"]).all()
+
+
+@pytest.fixture(scope="module")
+def slopes():
+    return render(load_scene("figure3_with", **SMALL), interpreter="arrays")
+
+
+def counted(oracle, dumped):
+    case = Case(oracle, Drawing(dumped), PROFILES["vulkan"])
+    return within_bounds(case, list(checks(case)))
+
+
+def test_what_has_the_bits_of_the_oracle_is_within_without_any_bounds(slopes, monkeypatch):
+    with monkeypatch.context() as patched:
+        patched.setattr(chaining, "_is_the_oracle", lambda case, check: False)
+        computed = counted(slopes, slopes.buffers)
+    monkeypatch.setattr(chaining, "in_rounds", None)  # no pass runs
+    assert counted(slopes, slopes.buffers) == computed
+    assert computed["depth"] is None and computed["image"] == 48 * 48
+
+
+def test_only_what_others_need_is_bounded(slopes):
+    moved = {**slopes.buffers, "lit": slopes["lit"] + np.float32(1e-7), "phong": slopes["phong"] + np.float32(1e-7)}
+    bounds = bounds_of(slopes, "vulkan")
+    case = Case(slopes, Drawing(moved), PROFILES["vulkan"])
+    fewer = chained(case, ["lit"])
+    assert "scattered" not in fewer and "image" not in fewer
+    for name, known in fewer.items():
+        assert all(np.array_equal(a, b) for a, b in zip(ends(known), ends(bounds[name]), strict=True)), name
+    found = counted(slopes, moved)
+    where = slopes["coverage"] != 0
+    for name in ("lit", "phong"):
+        assert found[name] == within(moved[name], bounds[name])[where].sum()

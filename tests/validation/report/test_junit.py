@@ -12,6 +12,7 @@ from sss_ref.validation.accept.dumped import Drawing
 from sss_ref.validation.clock import Clock
 from sss_ref.validation.report.junit import checked_junit_file, write_junit
 from sss_ref.validation.report.report import Report
+from sss_ref.validation.scope import FULL, VERDICTS_ALONE
 from sss_ref.validation.stage_by_stage import judge
 
 SMALL = {f"{table}.{side}": 32 for table in ("camera", "shadow_map") for side in ("width", "height")}
@@ -29,7 +30,7 @@ def read(report, path):
 
 
 def test_all_right(oracle, tmp_path):
-    report = judge(oracle, Drawing(oracle.buffers), None, "vulkan", False, Clock())
+    report = judge(oracle, Drawing(oracle.buffers), None, "vulkan", VERDICTS_ALONE, Clock())
     suite = read(report, tmp_path / "junit.xml")
     assert suite.get("name") == "sss_ref a <scene>"
     assert [suite.get(key) for key in ("tests", "failures", "errors", "skipped")] == [str(len(oracle.buffers)), *"000"]
@@ -43,7 +44,7 @@ def test_a_failure_says_what_the_terminal_says(oracle, tmp_path):
     """Two stages are wrong: the first with all that is known, the other with its worst pixel; two were not given."""
     buffers = dict(oracle.buffers) | {name: oracle[name] * np.float32(1.5) for name in ("translucency", "scattered")}
     del buffers["thickness"], buffers["albedo"]
-    report = judge(oracle, Drawing(buffers, device="a\x01b"), None, "vulkan", True, Clock())
+    report = judge(oracle, Drawing(buffers, device="a\x01b"), None, "vulkan", FULL, Clock())
     suite = read(report, tmp_path / "junit.xml")
     wrong = {one.buffer: one for one in report.verdicts if not one.passed}
     assert set(wrong) >= {"translucency", "scattered"}
