@@ -43,3 +43,15 @@ def test_a_record_is_what_the_benchmark_prints(tmp_path):
     assert (command, note, printed) == ("$ python benchmarks/greet.py --size 3", "a test", "hello --size 3\n")
     assert MACHINE.fullmatch(machine)
     assert record.read_text() == shown
+
+
+def test_the_corpus_says_of_each_file_what_came_of_it(tmp_path):
+    """A triangle that trimesh reads too, an L that it cuts as a fan beyond the L, and no mesh."""
+    (tmp_path / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    (tmp_path / "b.obj").write_text("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 2 0\nv 1 1 0\nv 0 1 0\nf 4 5 6 1 2 3\n")
+    (tmp_path / "c.obj").write_text("v 0 0 0\n")
+    command = [sys.executable, str(FOLDER / "corpus.py"), str(tmp_path)]
+    printed = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
+    assert printed[0].split() == ["suffix", "files", "agrees", "alone", "refused", "differs", "broken"]
+    assert printed[1].split() == [".obj", "3", "1", "0", "1", "1", "0"]
+    assert [line.partition(".obj")[0] for line in printed[3:]] == ["trimesh has in b", "refused: c"]
