@@ -19,7 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.dump.files import SUFFIXES as PICTURES
+from sss_ref.dump.files import READERS as PICTURES
 from sss_ref.dump.files import parts_of
 from sss_ref.errors import SssRefError
 from sss_ref.mesh.mesh_file import load_mesh
