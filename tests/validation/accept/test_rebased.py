@@ -174,6 +174,6 @@ def test_a_depth_as_another_target_keeps_it(bodies, form):
     oracle, steps = drawn(scene_of(bodies["sphere"])), {"D16": 2**16 - 1, "D24": 2**24 - 1}[form]
     profile = replace(PROFILES["vulkan"], depth_format=form, reversed_depth=True)
     kept = {name: (np.rint((1 - oracle[name]) * steps) / steps).astype(np.float32) for name in ("depth", "light_depth")}
-    assert validate(oracle, oracle.buffers | kept, profile=profile).passed
+    assert validate(oracle, oracle.buffers | kept, profile=profile, explain=False).passed
     assert verdict_on(oracle.buffers | kept, oracle).culprit.stage == RASTERIZER
-    assert validate(oracle, oracle.buffers, profile=profile).culprit.stage == RASTERIZER
+    assert validate(oracle, oracle.buffers, profile=profile, explain=False).culprit.stage == RASTERIZER

@@ -73,8 +73,8 @@ def test_a_colour_that_a_texture_cut_off_is_no_error(oracle):
     )
     assert bright["image"].max() > 1
     cut = np.rint(np.clip(bright["image"], 0, 1) * 255).astype(F) / F(255)
-    assert sss_ref.validate(bright, {"image": cut}, {"image": "unorm8"}).passed
-    assert not sss_ref.validate(bright, {"image": np.minimum(cut, F(0.9))}, {"image": "unorm8"}).passed
+    assert sss_ref.validate(bright, {"image": cut}, {"image": "unorm8"}, explain=False).passed
+    assert not sss_ref.validate(bright, {"image": np.minimum(cut, F(0.9))}, {"image": "unorm8"}, explain=False).passed
 
 
 @pytest.mark.parametrize(("depth_format", "codes"), [("D16", 2**16 - 1), ("D24", 2**24 - 1), ("D32F", None)])
@@ -84,7 +84,9 @@ def test_depths_in_every_format(oracle, depth_format, codes, reversed_depth):
     assert depth_storage(profile) == {"D16": "unorm16", "D24": "unorm24", "D32F": "float32"}[depth_format]
     turned = 1.0 - oracle["depth"].astype(np.float64) if reversed_depth else oracle["depth"].astype(np.float64)
     held = {"depth": (np.floor(turned * codes) / codes if codes else turned).astype(F)}
-    assert sss_ref.validate(oracle, held, profile=profile).passed
-    assert not sss_ref.validate(oracle, held, profile=replace(profile, reversed_depth=not reversed_depth)).passed
+    assert sss_ref.validate(oracle, held, profile=profile, explain=False).passed
+    assert not sss_ref.validate(
+        oracle, held, profile=replace(profile, reversed_depth=not reversed_depth), explain=False
+    ).passed
     if depth_format == "D16":
-        assert not sss_ref.validate(oracle, held, profile=replace(profile, depth_format="D24")).passed
+        assert not sss_ref.validate(oracle, held, profile=replace(profile, depth_format="D24"), explain=False).passed
