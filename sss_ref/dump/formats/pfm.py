@@ -28,10 +28,15 @@ def read(path: Path) -> tuple[StoredTexels]:
             remedy = "dump the buffer again"
             raise DumpError(told(str(path), "PF or Pf, a width, a height and a scale", "another header", remedy))
         width, height, channels = int(start[2]), int(start[3]), CHANNELS[start[1]]
-        row_bytes = 4 * len(channels)
-        check_size(path, width, height, row_bytes, path.stat().st_size - start.end())
+        texel_bytes = 4 * len(channels)
+        available = path.stat().st_size - start.end()
+        check_size(path, width, height, texel_bytes, available)
+        left = available - texel_bytes * width * height
+        if left:
+            expected = f"{available - left} bytes for {width} x {height} texels"
+            raise DumpError(told(str(path), expected, f"{left} more", "dump the buffer again"))
         file.seek(start.end())
-        data = file.read(row_bytes * width * height)
+        data = file.read(available)
     stored = np.frombuffer(data, "<f4" if scale < 0 else ">f4").reshape(height, width, len(channels))
     return (_multiplied(stored.astype(np.float32), abs(scale), tuple(channels)),)
 

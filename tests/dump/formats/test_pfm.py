@@ -56,6 +56,7 @@ def test_a_first_sample_that_looks_like_white_space(tmp_path):
         (b"PF\n3 2\n0\n" + bytes(72), "got another header"),
         (b"PF\n3 2\n1.1.1\n" + bytes(72), "got another header"),
         (b"PF\n3 2\n-1\n" + bytes(71), "expected 72 bytes for 3 x 2 texels, got 71"),
+        (b"PF\n3 2\n-1\n" + bytes(76), "expected 72 bytes for 3 x 2 texels, got 4 more"),
         (b"PF\n99999 2\n-1\n" + bytes(72), "got 99999 x 2"),
     ],
 )
