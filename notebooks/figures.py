@@ -59,8 +59,8 @@ def row(count: int, height: float = 3.3, width: float | None = None) -> tuple[Fi
 
 
 def picture(axes: Axes, image: np.ndarray, title: str, encode: Callable[[np.ndarray], np.ndarray] = srgb8) -> None:
-    """A linear RGB image (H, W, 3), encoded for a screen."""
-    axes.imshow(encode(image))
+    """A linear RGB image (H, W, 3) of any float type, encoded for a screen."""
+    axes.imshow(encode(image.astype(np.float32)))
     _bare(axes, title)
 
 

@@ -28,6 +28,13 @@ def middle(png):
     return image.getpixel((image.width // 2, image.height // 2))
 
 
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_a_picture_of_any_float_type_is_encoded(kind):
+    _, (axes,) = figures.row(1)
+    figures.picture(axes, np.full((4, 4, 3), 0.5, kind), "")
+    assert np.array_equal(axes.images[0].get_array(), np.full((4, 4, 3), 188))
+
+
 def test_a_moved_slider_redraws_the_figure():
     sliders = figures.Sliders(gray, level=(0.0, 0.0, 1.0))
     assert middle(sliders.shown.value) == (0, 0, 0)
