@@ -46,7 +46,9 @@ class ExactVertices(Device):
     """Computes where vertices go without rounding on the way, as one with longer registers may."""
 
     def vertices(self, one, buffers):
-        _, attributes = super().vertices(one, buffers)
+        clip_position, attributes = super().vertices(one, buffers)
+        if "clip_from_model" not in one.draw.vertex.reads:  # a layout, which computes nothing
+            return clip_position, attributes
         position = self.scene.mesh.attributes["position"].astype(np.float64)
         clip_from_model = self.scene.uniforms[one.draw.vertex.reads["clip_from_model"]].astype(np.float64)
         clip_position = np.column_stack([position, np.ones(len(position))]) @ clip_from_model.T

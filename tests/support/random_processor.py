@@ -66,7 +66,8 @@ class Processor:
         """A float32 next to x; with `ulps`, any that is off by no more."""
         if self.exact:
             return x
-        x = np.asarray(x + self.rng.uniform(-1, 1, np.shape(x)) * np.maximum(ulps - 1, 0) * np.where(x == 0, 0, ulp(x)))
+        off = np.where((x == 0) | ~np.isfinite(x), 0, ulp(x))
+        x = np.asarray(x + self.rng.uniform(-1, 1, np.shape(x)) * np.maximum(ulps - 1, 0) * off)
         near = x.astype(np.float32)
         way = np.where(near > x, -np.inf, np.inf).astype(np.float32)
         other = np.where(near == x, near, np.nextafter(near, way))

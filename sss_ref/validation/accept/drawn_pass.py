@@ -1,6 +1,6 @@
 """A pass as a right processor may have drawn it, ready to be run at single pixels."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -39,6 +39,19 @@ class DrawnPass:
     def reading(self, buffers: Mapping[str, KnownBuffer]) -> "DrawnPass":
         """The same, where its stages read these buffers."""
         return replace(self, read=buffers)
+
+    @property
+    def possible(self) -> np.ndarray:
+        """Bool (H, W): where there may be a fragment; those of the work are there on every right processor."""
+        stencil, where = self.read.get(self.this_pass.draw.stencil), self.work.fragments.where
+        return where if stencil is None else stencil.high != 0
+
+    def showing(self, wanted: Collection[str], at: Pixels, piece: np.ndarray) -> "DrawnPass":
+        """The same with one piece at each of some pixels and nothing elsewhere, and the stages for some outputs."""
+        pieces = np.full(self.work.fragments.where.shape, -1, np.int32)
+        pieces[at] = piece
+        fragments = replace(self.work.fragments, piece=pieces)
+        return replace(self, work=replace(self.work, this_pass=self.this_pass.only({*wanted}), fragments=fragments))
 
     def given(self, at: Pixels) -> dict[str, Known]:
         """What the draw gives some pixels: name -> value, the varyings with all that they may be."""

@@ -23,7 +23,8 @@ Stored = Mapping[str, str | Loss]  # buffer -> its storage, of those that are no
 class Drawing:
     """What another implementation drew.
 
-    buffers: name -> array as in `Result`. stored: buffer -> the storage of its file, where that is less than float32.
+    buffers: name -> array as in `Result`. stored: buffer -> the storage of its file, where that is less than float32;
+    of a buffer that was not dumped, that of its texture.
     rounded: buffer -> the storage of its texture, where the file has fewer bits. device: what drew it, in its words.
     """
 
@@ -57,6 +58,14 @@ class Drawing:
             return KnownBuffer.exactly(buffer)
         held = before_storage(self.stored.get(name, "float32"), buffer)
         return replace(KnownBuffer.exactly(buffer), low=held.low, high=held.high)
+
+    def kept(self, name: str, given: KnownBuffer) -> KnownBuffer:
+        """What the texture of a buffer that was not dumped may hold of what it was given."""
+        loss = loss_of(self.stored.get(name, "float32"))
+        if loss == EXACT:
+            return given
+        low, high = (np.clip(end, loss.low, loss.high) for end in (given.low, given.high))
+        return replace(given, low=low - loss.step(low), high=high + loss.step(high))
 
     def handed_on(self, name: str, kind: Any, at: Pixels) -> Known:
         """A dumped value as the next stage of its pass got it, before any texture or file rounded it."""

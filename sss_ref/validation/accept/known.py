@@ -85,10 +85,28 @@ class KnownBuffer:
         _put(self.high, [part.high for part in parts], at)
         self.doubt[at] = known.doubt != 0
 
+    def put(self, at: Pixels, exact: np.ndarray, low: np.ndarray, high: np.ndarray) -> None:
+        """Put values with their ends at some pixels; it is in doubt where they differ."""
+        for buffer, values in ((self.exact, exact), (self.low, low), (self.high, high)):
+            buffer[at] = _within_type(values, buffer.dtype)
+        apart = self.low[at] != self.high[at]
+        self.doubt[at] = apart if apart.ndim == 1 else apart.any(axis=-1)
+
+    def include(self, buffer: np.ndarray, where: np.ndarray) -> None:
+        """Let it hold the values of another buffer too where a mask, bool (H, W), says so."""
+        self.low[where] = np.minimum(self.low[where], buffer[where])
+        self.high[where] = np.maximum(self.high[where], buffer[where])
+
     @property
     def reach(self) -> np.ndarray:
         """How far from what it holds here its bounds lie, float64 of its shape; infinite where there are none."""
         return _reach(self.exact, self.low, self.high)
+
+
+def pixels_of(where: np.ndarray) -> Pixels:
+    """The pixels of a mask, bool (H, W), row by row."""
+    rows, columns = np.nonzero(where)
+    return rows, columns
 
 
 def stacked(value: Any) -> np.ndarray:
@@ -101,6 +119,14 @@ def _reach(exact: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:
     with np.errstate(invalid="ignore"):
         reach = np.maximum(np.maximum(high - middle, middle - low), 0.0)
     return np.nan_to_num(reach, nan=np.inf, posinf=np.inf)
+
+
+def _within_type(values: np.ndarray, dtype: np.dtype) -> np.ndarray:
+    """Values that a buffer of a type can hold; of a truth value 0 and 1."""
+    if dtype.kind == "f":
+        return values
+    least, most = (0, 1) if dtype == np.uint8 else (np.iinfo(dtype).min, np.iinfo(dtype).max)
+    return np.clip(values, least, most)
 
 
 def _put(buffer: np.ndarray, parts: Sequence[Any], at: Pixels) -> None:

@@ -1,8 +1,8 @@
 """Every stage on its own: it gets what the other implementation had, and must give what that one made of it.
 
 So an error shows where it is made and nowhere else. A texture is taken as dumped; so is a value that an earlier stage
-of the same pass handed on, if it was dumped. What was not dumped comes from the oracle; what lies between two rounds of
-a pass, which nobody dumps, is all that the round before may have given.
+of the same pass handed on, if it was dumped. What was not dumped is all that a right processor may have made of what
+was; so is what lies between two rounds of a pass, which nobody dumps.
 """
 
 from collections.abc import Iterator, Mapping

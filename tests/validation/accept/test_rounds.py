@@ -61,11 +61,20 @@ SUBSETS = [
 @pytest.mark.parametrize("names", SUBSETS, ids="-".join)
 @pytest.mark.parametrize("profile", PROFILES)
 def test_copied_texels_that_are_a_little_off_fail(oracle, names, profile):
-    wrong = oracle["irradiance_filled"] * OFF
+    """What they copy is known exactly if it was dumped, or on an exact processor; else it may be off by roundings."""
+    known = "irradiance" in names or profile == "ieee"
+    wrong = oracle["irradiance_filled"] * (OFF if known else F(1.01))
     found = verdicts(oracle, dump_of(oracle, names, irradiance_filled=wrong), profile)["irradiance_filled"]
     differs = (wrong != oracle["irradiance_filled"]).any(axis=-1)
-    assert differs.sum() > 500 and found.failing == differs.sum() and found.stage == "dilate"
+    assert differs.sum() > 500 and found.stage == "dilate"
+    assert found.failing == differs.sum() if known else found.failing > 0.9 * differs.sum()
     assert verdicts(oracle, dump_of(oracle, names), profile)["irradiance_filled"].certain == differs.size
+
+
+def test_what_is_copied_may_be_off_as_its_stages_allow(oracle):
+    """Of the irradiance nothing was given but its copy: a right processor may have it some units off."""
+    little_off = {"irradiance_filled": oracle["irradiance_filled"] * OFF}
+    assert verdicts(oracle, little_off, "vulkan")["irradiance_filled"].passed
 
 
 def test_the_report_tells_the_last_round(oracle):

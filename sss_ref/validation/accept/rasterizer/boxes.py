@@ -20,13 +20,15 @@ from sss_ref.language.types import components
 from sss_ref.raster.clip import W, X, Z
 from sss_ref.raster.primitives import Primitives, drawable, place
 from sss_ref.raster.viewport import Viewport
-from sss_ref.rendering.draw import Buffers, Machine, varying_columns, vertices
+from sss_ref.rendering.draw import Machine, varying_columns, vertices
 from sss_ref.scene.scene import Scene
+from sss_ref.validation.accept.known import KnownBuffer
 
 ROUNDING = 2.0**-22  # relative, of 1/w, the product with it, and the viewport transform, together
 CUT = 2.0**-20  # of the largest coordinate of a triangle: the rounding of a vertex where it is cut
 PLANE = 2.0**-22  # of the way from the picture's corner to a corner of the piece and to the sample
 GUARD_BAND = 2.0**15  # pixels: no processor places a vertex farther outside the picture, but cuts the triangle there
+NOWHERE = (np.zeros(0, int), np.zeros(0, int))  # vertices are no pixels: they read buffers as textures
 EVERYWHERE = 2.0**40  # pixels: the box of a vertex that may be at the eye; finite, for it is multiplied with 0
 
 
@@ -59,11 +61,11 @@ class Boxes:
         return drawable(self.primitives)
 
 
-def boxes_of(scene: Scene, this_pass: Pass, buffers: Buffers, profile: Profile) -> Boxes:
-    """The boxes of a pass that draws the mesh, on a processor of a profile. buffers: those of earlier passes."""
+def boxes_of(scene: Scene, this_pass: Pass, read: Mapping[str, KnownBuffer], profile: Profile) -> Boxes:
+    """The boxes of a pass that draws the mesh, on a processor of a profile. read: what is known of earlier buffers."""
     machine = Machine(subpixel_bits=profile.subpixel_bits)
-    clip_position, attributes = vertices(scene, this_pass, buffers, machine)
-    outcomes = _vertex_outcomes(scene, this_pass, buffers, profile)
+    clip_position, attributes = vertices(scene, this_pass, {name: read[name].exact for name in read}, machine)
+    outcomes = _vertex_outcomes(scene, this_pass, read, profile)
     clip_error, attribute_error = _vertex_errors(this_pass, outcomes, clip_position, attributes)
     viewport, triangles = machine.viewport(scene, this_pass), scene.mesh.triangles
     primitives, placed = place(clip_position, attributes, triangles, viewport)
@@ -90,15 +92,20 @@ def boxes_of(scene: Scene, this_pass: Pass, buffers: Buffers, profile: Profile) 
     return Boxes(primitives, viewport, centre, half, off, rounding, depth_error, weight_error, attribute_error)
 
 
-def _vertex_outcomes(scene: Scene, this_pass: Pass, buffers: Buffers, profile: Profile) -> Mapping[str, Outcome]:
+def _vertex_outcomes(
+    scene: Scene, this_pass: Pass, read: Mapping[str, KnownBuffer], profile: Profile
+) -> Mapping[str, Outcome]:
     """What the vertex stage of a pass may write for every vertex, by name."""
     (stage,) = this_pass.draw.vertex_stages
-    mesh, given = scene.mesh.attributes, {**scene.uniforms, **buffers}
-    inputs = {
-        own: kind(*mesh[own].T) if own in MESH_ATTRIBUTES else uniform_value(kind, given[stage.reads[own]])
-        for own, kind in stage.parameters.items()
-    }
-    return run_intervals(stage, inputs, profile.for_vertices)
+    mesh = scene.mesh.attributes
+
+    def value(own: str, kind: Any) -> Any:
+        if own in MESH_ATTRIBUTES:
+            return kind(*mesh[own].T)
+        name = stage.reads[own]
+        return read[name].read(kind, NOWHERE).bounds if name in read else uniform_value(kind, scene.uniforms[name])
+
+    return run_intervals(stage, {own: value(own, kind) for own, kind in stage.parameters.items()}, profile.for_vertices)
 
 
 def _vertex_errors(

@@ -1,0 +1,94 @@
+"""Buffers that were not dumped: a right device passes without them, and a wrong one is seen through them."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from right_devices import trial
+
+from sss_ref.interpret.intervals.profile import PROFILES
+from sss_ref.rendering.fold import render
+from sss_ref.scene.load import load_scene
+from sss_ref.validation.accept.case import Case
+from sss_ref.validation.accept.dumped import Drawing
+from sss_ref.validation.stage_by_stage import validate
+
+SMALL = {f"{t}.{s}": 32 for t in ("camera", "shadow_map", "irradiance_map") for s in ("width", "height")}
+COARSE = replace(PROFILES["vulkan"], subpixel_bits=4)
+
+
+@pytest.fixture(scope="module", params=["sphere", "figure5"])
+def pair(request):
+    """A scene as the oracle has it, and as a right device with four subpixel bits draws it."""
+    scene = load_scene(request.param, **SMALL)
+    return render(scene, "arrays"), render(scene, "arrays", subpixel_bits=4).buffers
+
+
+def without(buffers, *names):
+    return {name: buffer for name, buffer in buffers.items() if name not in names}
+
+
+def known(oracle, dumped, name, stored=None):
+    return Case(oracle, Drawing(dumped, stored or {}), COARSE).read(name)
+
+
+def test_a_right_device_passes_without_any_one_buffer(pair):
+    oracle, drawn = pair
+    for name in drawn:
+        found = validate(oracle, without(drawn, name), profile=COARSE, explain=False)
+        assert found.passed, (name, found.summary)
+
+
+@pytest.mark.parametrize("name", ["light_triangle", "light_distance"])
+def test_the_bounds_hold_what_was_drawn_and_say_where_it_is_in_doubt(pair, name):
+    oracle, drawn = pair
+    found = known(oracle, {}, name)
+    assert ((found.low <= drawn[name]) & (drawn[name] <= found.high)).all()
+    assert (drawn[name] != oracle[name]).any() and 0 < found.doubt.sum() < found.doubt.size / 2
+
+
+def test_what_was_dumped_beside_it_settles_an_outline(pair):
+    """Where a distance was written there is a triangle; elsewhere there may be one, seen edge-on."""
+    oracle, drawn = pair
+    written = drawn["light_triangle"] >= 0
+    alone = known(oracle, {}, "light_triangle")
+    beside = known(oracle, {"light_distance": drawn["light_distance"]}, "light_triangle")
+    either = (alone.low < 0) & (alone.high >= 0)
+    assert (either & written).any() and (either & ~written).any()
+    assert (beside.low[written] >= 0).all() and (beside.low[~written] < 0).all()
+
+
+def test_a_wrong_distance_is_seen_without_the_triangles(pair):
+    oracle, drawn = pair
+    wrong = without(drawn, "light_triangle") | {"light_distance": drawn["light_distance"] * np.float32(1.001)}
+    assert validate(oracle, wrong, profile=COARSE, explain=False).culprit.buffer == "light_distance"
+
+
+def test_a_texture_of_few_bits_that_was_not_dumped(pair):
+    """It is said to hold halves: the bounds reach a step further, and hold them."""
+    oracle, drawn = pair
+    halves = drawn["light_distance"].astype(np.float16).astype(np.float32)
+    exact, coarse = (known(oracle, {}, "light_distance", stored) for stored in ({}, {"light_distance": "float16"}))
+    assert ((coarse.low <= halves) & (halves <= coarse.high)).all()
+    assert not ((exact.low <= halves) & (halves <= exact.high)).all()
+
+
+def test_a_pass_without_its_stencil_is_judged_where_it_must_have_run(pair):
+    oracle, drawn = pair
+    few = {name: drawn[name] for name in ("lit", "phong", "scattered") if name in drawn}
+    assert validate(oracle, few, profile=COARSE, explain=False).passed
+    twice = {name: buffer * np.float32(2) for name, buffer in few.items()}
+    assert not validate(oracle, twice, profile=COARSE, explain=False).passed
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_device_that_is_right_by_chance_never_fails(tmp_path, seed):
+    told, found = trial(tmp_path, seed)
+    assert found.passed, f"{told}: {found.summary}"
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("seed", range(100, 300))
+def test_two_hundred_of_them(tmp_path, seed):
+    told, found = trial(tmp_path, seed)
+    assert found.passed, f"{told}: {found.summary}"
