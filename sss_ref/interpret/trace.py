@@ -69,7 +69,7 @@ def trace(stage: Stage, inputs: Sequence[Any]) -> tuple[tuple[Step, ...], dict[s
 
 def run_body(body: tree.Body, names: Mapping[str, Any]) -> dict[str, Any]:
     """Run a body and keep no steps: output -> value. names: parameter -> value; arrays of fragments do as well."""
-    return _Lines(dict(names)).run(body, {})
+    return _Values(dict(names)).run(body, {})
 
 
 class _Lines:
@@ -135,13 +135,32 @@ class _Lines:
         if expression.body is None:
             value = expression.callee(*arguments)
             return self.told(expression, value) if expression.callee.name in TOLD else value
-        function = _Lines(dict(zip(expression.body.parameters, arguments, strict=True)))
+        function = type(self)(dict(zip(expression.body.parameters, arguments, strict=True)))
         value = function.run(expression.body, {})["return"]
         return self.told(expression, value, tuple(function.steps))
 
     def told(self, expression: tree.Expression, value: Any, inner: tuple[Step, ...] = ()) -> Any:
         """Note what a part of the line at work gives."""
         self.calls.append(Step("", expression, value, inner))
+        return value
+
+
+class _Values(_Lines):
+    """The same without its steps."""
+
+    def line(self, name: str, expression: tree.Expression) -> Any:
+        """As of any lines."""
+        return self.value(expression)
+
+    def loop(self, statement: tree.Loop) -> None:
+        """As of any lines."""
+        for index in range(self.value(statement.start), self.value(statement.stop)):
+            self.names[statement.index] = index
+            for assign in statement.block:
+                self.names[assign.name] = self.value(assign.value)
+
+    def told(self, expression: tree.Expression, value: Any, inner: tuple[Step, ...] = ()) -> Any:
+        """Nothing is noted."""
         return value
 
 

@@ -1,0 +1,108 @@
+"""How long `sss-ref validate` takes from process start to end: a right dump, a wrong blur, a large one.
+
+    python benchmarks/validate.py --size 256 --large 1024 --runs 3
+    python benchmarks/validate.py --other ../before      # in turns with another checkout; prints this one's share of it
+
+Each run is a process of its own; the kernels are compiled before. Told are the least seconds of processor time, user
+and system, and of wall time of all runs: on a shared machine the first is the one to compare. The dumps are the
+oracle's own buffers, of the scene itself or of one whose taps are 1 % too far out.
+"""
+
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+import sss_ref
+
+HERE = Path(__file__).parents[1]
+SCENE = "figure3_with"
+TOO_FAR = {"blur.pixel_scale": 2.02}  # the scene has 2
+Seconds = tuple[float, float]  # processor, wall
+
+
+def main() -> None:
+    """Time every case in turns."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--size", type=int, default=256, help="of camera and shadow map, of the right and wrong dumps")
+    parser.add_argument(
+        "--large", type=int, default=0, help="of the camera of a large right dump; its map is twice that"
+    )
+    parser.add_argument("--runs", type=int, default=3)
+    parser.add_argument("--other", type=Path, help="another checkout of the project")
+    parser.add_argument("options", nargs="*", help="for this checkout's validate, after --, such as --quick")
+    given = parser.parse_args()
+    cases = {"right": (given.size, given.size, {}), "wrong blur": (given.size, given.size, TOO_FAR)}
+    if given.large:
+        cases["large, right"] = given.large, 2 * given.large, {}
+    checkouts = [HERE, *([given.other.resolve()] if given.other else [])]
+    print(f"{'case':<14}{'processor':>12}{'wall':>10}   {'share of the other' if given.other else ''}")
+    for name, (camera, shadow_map, changes) in cases.items():
+        with tempfile.TemporaryDirectory() as folder:
+            size = sizes(camera, shadow_map)
+            dump(Path(folder), size | changes)
+            print(line(name, in_turns(checkouts, arguments(folder, size), given.options, given.runs)), flush=True)
+
+
+def sizes(camera: int, shadow_map: int) -> dict[str, int]:
+    """The overrides of a scene for a camera and a shadow map of these sides."""
+    named = {"camera": camera, "shadow_map": shadow_map}
+    return {f"{table}.{side}": size for table, size in named.items() for side in ("width", "height")}
+
+
+def dump(folder: Path, overrides: dict[str, float]) -> None:
+    """Write all buffers but one of the scene; UVs are of no use here."""
+    result = sss_ref.render(sss_ref.load_scene(SCENE, **overrides))
+    for name, buffer in result.buffers.items():
+        if name != "uv":
+            np.save(folder / f"{name}.npy", buffer)
+
+
+def arguments(folder: str, overrides: dict[str, int]) -> list[str]:
+    """What the command line is given."""
+    return [
+        "validate",
+        SCENE,
+        folder,
+        *(part for each in overrides.items() for part in ("--set", "{}={}".format(*each))),
+    ]
+
+
+def in_turns(checkouts: list[Path], command: list[str], options: list[str], runs: int) -> list[Seconds]:
+    """The least seconds of each checkout; the first turn compiles and is not counted."""
+    turns = [
+        [timed(each, [*command, *(options if each == HERE else [])]) for each in checkouts] for _ in range(runs + 1)
+    ]
+    return [(min(p for p, _ in own), min(w for _, w in own)) for own in zip(*turns[1:], strict=True)]
+
+
+def timed(checkout: Path, command: list[str]) -> Seconds:
+    """The processor and wall time of the command line of a checkout."""
+    environment = os.environ | {"PYTHONPATH": str(checkout)}
+    before, start = os.times(), time.perf_counter()
+    done = subprocess.run(
+        [sys.executable, "-m", "sss_ref.cli", *command], env=environment, cwd=checkout, capture_output=True, text=True
+    )
+    wall, after = time.perf_counter() - start, os.times()
+    if done.returncode not in (0, 1):
+        raise SystemExit(done.stdout + done.stderr)
+    spent = after.children_user + after.children_system - before.children_user - before.children_system
+    return spent, wall
+
+
+def line(name: str, seconds: list[Seconds]) -> str:
+    """A row of the table."""
+    (processor, wall), *others = seconds
+    shares = [
+        f"{processor / other:.0%} of the processor time, {wall / there:.0%} of the wall" for other, there in others
+    ]
+    return f"{name:<14}{processor:>10.2f} s{wall:>8.2f} s   {''.join(shares)}"
+
+
+if __name__ == "__main__":
+    main()
