@@ -33,12 +33,13 @@ def _least_float32_of_code(code: int) -> np.float32:
 
 
 def srgb8(linear: np.ndarray) -> np.ndarray:
-    """Linear float32 values, of any shape, as sRGB codes 0 to 255 (uint8); values outside 0 to 1 are cut off.
+    """Linear values, of any shape, rounded to float32, as sRGB codes 0 to 255 (uint8); those outside 0 to 1 are cut off.
 
     The code of the least value with the same leading bits, and one more where the value has reached the next edge.
     """
     least, ends = _codes_by_leading_bits(), np.append(srgb_edges(), np.float32(np.nan))  # nothing ends 255
-    leading = np.clip(np.ascontiguousarray(linear).view(np.int32) >> DROPPED_BITS, 0, len(least) - 1)
+    linear = np.array(linear, np.float32, order="C")
+    leading = np.clip(linear.view(np.int32) >> DROPPED_BITS, 0, len(least) - 1)
     codes: np.ndarray = least[leading]
     codes += linear >= ends[codes]
     return codes

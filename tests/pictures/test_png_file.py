@@ -48,3 +48,10 @@ def test_share_of_coverage_is_rounded_to_the_nearest_alpha(tmp_path):
     share = np.float32([[0, 0.25, 0.5, 1]])  # 255 times it: 0, 63.75, 127.5 (to the even neighbour), 255
     write_png(tmp_path / "x.png", np.zeros((1, 4, 3), np.float32), share)
     assert imageio.imread(tmp_path / "x.png")[0, :, 3].tolist() == [0, 64, 128, 255]
+
+
+def test_values_of_other_types_and_strides_are_rounded_first():
+    values = np.linspace(-0.2, 1.3, 600).reshape(20, 30)
+    assert np.array_equal(srgb8(values), srgb8(values.astype(np.float32)))
+    assert np.array_equal(srgb8(values.astype(np.float32)[::-2, ::3]), srgb8(values)[::-2, ::3])
+    assert srgb8(np.float32(0.5)).item() == 188
