@@ -33,7 +33,7 @@ def _least_float32_of_code(code: int) -> np.float32:
 
 
 def srgb8(linear: np.ndarray) -> np.ndarray:
-    """Linear values, of any shape, rounded to float32, as sRGB codes 0 to 255 (uint8); those outside 0 to 1 are cut off.
+    """Linear values, of any shape, rounded to float32, as sRGB codes 0 to 255 (uint8); those beyond are cut off.
 
     The code of the least value with the same leading bits, and one more where the value has reached the next edge.
     """

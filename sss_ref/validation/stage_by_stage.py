@@ -148,7 +148,7 @@ def assert_valid(
     scene, buffers, stored, profile: as in `validate`.
     """
     __tracebackhide__ = True  # pytest shows the line that called it
-    report = validate(scene, buffers, stored, profile=profile)
+    report = validate(scene, buffers, stored, profile=profile, explain=Scope(power=False))
     if not report.passed:
         raise AssertionError("\n".join([report.summary, *report.details, *report.explanations]))
 
