@@ -14,7 +14,7 @@ class Loss:
     """How far what is held may be from what was given, in the unit of the buffer.
 
     relative, least: the step between neighbours, relative to the value and at least. low, high: the ends of the range:
-    a value that is held there may have been anything beyond.
+    a value that is held there, or beyond as infinity, may have been anything beyond.
     """
 
     relative: float = 0.0
@@ -46,8 +46,9 @@ class Loss:
 
 
 EXACT = Loss()
+LARGEST_HALF = 65504.0  # what lies beyond is kept as this or as infinity: a conversion may cut off or round
 LOSSES = {
-    "float16": Loss(2.0**-10, 2.0**-24),
+    "float16": Loss(2.0**-10, 2.0**-24, -LARGEST_HALF, LARGEST_HALF),
     "float24": Loss(2.0**-15, 2.0**-141),
     "float11": Loss(2.0**-6, 2.0**-20),
     "float10": Loss(2.0**-5, 2.0**-19),

@@ -22,8 +22,10 @@ def test_steps_by_hand():
 def test_scale_and_offset_move_the_ends_and_the_step():
     assert LOSSES["unorm8"].scaled(2.0, -1.0, 1.0) == Loss(0.0, 2 / 255 + 3 * ROUNDING, -1.0, 1.0)
     assert LOSSES["unorm8"].scaled(-3.0, 0.0, 1.0) == Loss(ROUNDING, 3 / 255, -3.0, 0.0)
-    assert LOSSES["float16"].scaled(4.0, 0.0, 9.0) == Loss(2.0**-10 + ROUNDING, 4 * 2.0**-24)
-    assert LOSSES["float16"].scaled(4.0, 1.0, 9.0) == Loss(0.0, 36 * 2.0**-10 + 37 * ROUNDING)
+    assert LOSSES["float16"].scaled(4.0, 0.0, 9.0) == Loss(2.0**-10 + ROUNDING, 4 * 2.0**-24, -4 * 65504, 4 * 65504)
+    assert LOSSES["float16"].scaled(4.0, 1.0, 9.0) == Loss(
+        0.0, 36 * 2.0**-10 + 37 * ROUNDING, 1 - 4 * 65504, 1 + 4 * 65504
+    )
 
 
 @given(

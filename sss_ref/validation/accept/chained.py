@@ -25,7 +25,7 @@ def chained(case: Case, names: Collection[str]) -> dict[str, KnownBuffer]:
     """
     known: dict[str, KnownBuffer] = {}
     passes = case.oracle.scene.method.only(set(names)).passes
-    wanted = {*names, *(name for each in passes for name in each.needs)}
+    wanted = {*names, *(name for each in passes for name in {*each.needs, *each.fed_back})}
     for this_pass in passes:
         drawn = replace(case.of_oracle.drawn(this_pass), drawing=NOTHING)
         known |= untouched(case.oracle, drawn, [name for name in this_pass.values if name in wanted])

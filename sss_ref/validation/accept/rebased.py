@@ -80,7 +80,9 @@ def _as_stored(check: Check, case: Case) -> Check:
 def _checks_of_draw(case: Case, drawn: DrawnPass) -> Iterator[Check]:
     """What the rasterizer wrote: it may show any triangle that is visible on a right processor, as deep as it is."""
     oracle, dumped, visible = case.oracle, case.drawing.buffers, drawn.visible
-    reach = visible.reach(oracle.buffers, dumped) if visible else {}
+    depth = drawn.this_pass.draw.depth
+    before = case.drawing.before(depth, dumped[depth]) if depth in dumped else None
+    reach = visible.reach(oracle.buffers, dumped, before) if visible else {}
     for name in (name for name in drawn.this_pass.draw.outputs if name in dumped):
         expected = oracle[name]
         near = reach.get(name, np.zeros(expected.shape))

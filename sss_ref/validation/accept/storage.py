@@ -22,9 +22,10 @@ def step_of(storage: str | Loss, values: np.ndarray) -> np.ndarray:
 def before_storage(storage: str | Loss, held: np.ndarray) -> Interval:
     """The values, float64, that a texture may have been given that holds these.
 
-    Where one holds the end of its range it may have been given anything beyond.
+    Where one holds the end of its range, or infinity, it may have been given anything beyond.
     """
-    loss, exact = loss_of(storage), held.astype(np.float64)
+    loss = loss_of(storage)
+    exact = np.clip(held.astype(np.float64), loss.low, loss.high)
     step = loss.step(exact)
     low = np.where(exact <= loss.low, -INFINITY, exact - step)
     return Interval(low, np.where(exact >= loss.high, INFINITY, exact + step))
@@ -33,6 +34,8 @@ def before_storage(storage: str | Loss, held: np.ndarray) -> Interval:
 def lost_in_storage(storage: str | Loss, computed: np.ndarray, held: np.ndarray) -> np.ndarray:
     """How far, float64, storage may have moved a value from where it was computed: a step, or what it cut off."""
     given = before_storage(storage, held)
-    likeliest = np.clip(computed.astype(np.float64), given.low, given.high)
+    exact, step = computed.astype(np.float64), step_of(storage, held)
+    likeliest = np.clip(exact, given.low, given.high)
     with np.errstate(invalid="ignore"):
-        return np.fmax(step_of(storage, held), np.abs(held - likeliest))  # of NaN nothing is known but its step
+        moved = np.fmax(step, np.abs(held - likeliest))  # of NaN nothing is known but its step
+    return np.where(np.isinf(held) & (likeliest != exact), step, moved)  # what is in range never becomes infinite

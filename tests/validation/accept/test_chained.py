@@ -81,3 +81,10 @@ def test_only_what_others_need_is_bounded(slopes):
     where = slopes["coverage"] != 0
     for name in ("lit", "phong"):
         assert found[name] == within(moved[name], bounds[name])[where].sum()
+
+
+def test_the_bounds_of_one_output_of_a_pass_in_rounds():
+    """The other output of its rounds was not asked for, and is fed back all the same."""
+    oracle = render(load_scene("figure5", **SMALL), interpreter="arrays")
+    bounds = chained(Case(oracle, Drawing({}), PROFILES["vulkan"]), ["irradiance_filled"])
+    assert within(oracle["irradiance_filled"], bounds["irradiance_filled"]).all()

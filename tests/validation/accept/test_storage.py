@@ -61,6 +61,16 @@ def test_what_is_beyond_the_range_is_cut_off():
     assert lost_in_storage("float32", F([7]), F([1])).tolist() == [0]
 
 
+@pytest.mark.parametrize("held", [65504, np.inf])
+def test_a_half_too_large_is_the_largest_or_infinite(held):
+    """llvmpipe keeps 1e5 as 65504, a conversion to the nearest as infinity; -1e5 likewise."""
+    before = before_storage("float16", F([held, -held]))
+    assert before.low[0] <= 65504 and before.high[0] == np.inf
+    assert before.low[1] == -np.inf and before.high[1] >= -65504
+    assert lost_in_storage("float16", F([1e5]), F([held]))[0] >= held - 1e5
+    assert np.isfinite(lost_in_storage("float16", F([5]), F([np.inf]))[0])
+
+
 @pytest.fixture(scope="module")
 def oracle():
     small = {f"{table}.{side}": 48 for table in ("camera", "shadow_map") for side in ("width", "height")}

@@ -81,6 +81,14 @@ def test_a_pass_without_its_stencil_is_judged_where_it_must_have_run(pair):
     assert not validate(oracle, twice, profile=COARSE, explain=False).passed
 
 
+def test_a_depth_in_few_bits_of_another_triangle_that_may_be_seen(pair):
+    """Its file has taken from it what it takes from that of the oracle's triangle."""
+    oracle, drawn = pair
+    dumped = {"depth": drawn["depth"].astype(np.float16).astype(np.float32)}
+    assert validate(oracle, dumped, {"depth": "float16"}, profile=COARSE, explain=False).passed
+    assert not validate(oracle, dumped, profile=COARSE, explain=False).passed
+
+
 @pytest.mark.parametrize("seed", range(8))
 def test_a_device_that_is_right_by_chance_never_fails(tmp_path, seed):
     told, found = trial(tmp_path, seed)

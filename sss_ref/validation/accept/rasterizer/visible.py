@@ -8,6 +8,7 @@ import numpy as np
 
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.language.pipeline import Draw
+from sss_ref.numerics.interval import Interval, each_end
 from sss_ref.validation.accept.rasterizer.boxes import Boxes
 from sss_ref.validation.accept.rasterizer.candidates import FAR, Candidates, candidates
 from sss_ref.validation.accept.rasterizer.shared_edges import certain_ends
@@ -46,13 +47,13 @@ class Visible:
         count = np.bincount(self.found.pixel[holds], minlength=self.covered.size)
         return (count > 0).reshape(self.covered.shape)
 
-    def reach(self, expected: Buffers, dumped: Buffers) -> dict[str, np.ndarray]:
+    def reach(self, expected: Buffers, dumped: Buffers, depth: Interval | None) -> dict[str, np.ndarray]:
         """Buffer -> how far from the expected values (H, W) those that were dumped may be, float64 (H, W).
 
         A number or a coverage may be another one where that is right, else not. A depth must be that of the triangle
-        beside it, if that was dumped.
+        beside it, if that was dumped. depth: all that the dumped depths (H, W) may have been before they were stored.
         """
-        right, reach = self.accepted(dumped), {}
+        right, reach = self.accepted(dumped, depth), {}
         for name, holds in right.items():
             with np.errstate(invalid="ignore"):
                 apart = np.abs(dumped[name].astype(np.float64) - expected[name])
@@ -60,8 +61,11 @@ class Visible:
             reach[name] = np.where(holds, np.fmax(own, apart), np.fmin(own, np.nextafter(apart, -1)))
         return reach
 
-    def accepted(self, dumped: Buffers) -> dict[str, np.ndarray]:
-        """Buffer -> bool (H, W), where what was dumped is right; of the rasterizer's buffers that were dumped."""
+    def accepted(self, dumped: Buffers, depth: Interval | None) -> dict[str, np.ndarray]:
+        """Buffer -> bool (H, W), where what was dumped is right; of the rasterizer's buffers that were dumped.
+
+        depth: as in `reach`; None if no depth was dumped.
+        """
         draw, results, same = self.draw, {}, np.ones(len(self.found.pixel), bool)
         empty = self.covered != MUST
         if draw.triangle in dumped:
@@ -69,11 +73,10 @@ class Visible:
             same = drawn.reshape(-1)[self.found.pixel] == self.triangle
             results[draw.triangle] = self._any(same) | (empty & (drawn < 0))
             empty = empty & (drawn < 0)
-        if draw.depth in dumped:
-            depth = dumped[draw.depth].astype(np.float64)
-            there = depth.reshape(-1)[self.found.pixel]
-            within = (there >= self.found.low) & (there <= self.found.high)
-            results[draw.depth] = self._any(same & within) | (empty & (depth == FAR))
+        if depth is not None:
+            there = each_end(lambda end: end.reshape(-1)[self.found.pixel], depth)
+            within = (there.high >= self.found.low) & (there.low <= self.found.high)
+            results[draw.depth] = self._any(same & within) | (empty & (dumped[draw.depth] == np.float32(FAR)))
         if draw.coverage in dumped:
             drawn = dumped[draw.coverage] != 0
             results[draw.coverage] = np.where(drawn, self.covered != MUST_NOT, self.covered != MUST)

@@ -7,6 +7,7 @@ import pytest
 
 from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.language.pipeline import MeshDraw
+from sss_ref.numerics.interval import Interval
 from sss_ref.raster.interpolate import interpolate_arrays
 from sss_ref.raster.primitives import place
 from sss_ref.raster.viewport import Viewport
@@ -26,6 +27,10 @@ def draws():
     passes = load_scene("figure5").method.passes
     found = {one.name: one.draw for one in passes if isinstance(one.draw, MeshDraw)}
     return found["camera"], found["irradiance_map"]
+
+
+def exactly(depth):
+    return Interval(depth.astype(np.float64), depth.astype(np.float64))
 
 
 def boxes_at(corners, triangles, half=HALF):
@@ -124,12 +129,12 @@ def test_what_is_right_to_have_drawn(draws):
     depth = np.where(triangle >= 0, np.float32(0.5), np.float32(1))
     coverage = (triangle >= 0).astype(np.uint8)
     right = {draw.triangle: triangle, draw.depth: depth, draw.coverage: coverage}
-    assert all(holds.all() for holds in found.accepted(right).values())
-    assert not any(reach[3, 3] for reach in found.reach(right, {draw.triangle: triangle}).values())
+    assert all(holds.all() for holds in found.accepted(right, exactly(right[draw.depth])).values())
+    assert not any(reach[3, 3] for reach in found.reach(right, {draw.triangle: triangle}, None).values())
     for name, value in {draw.triangle: -1, draw.depth: 0.501, draw.coverage: 0}.items():
         wrong = right | {name: right[name].copy()}
         wrong[name][3, 4] = value
-        assert np.argwhere(~found.accepted(wrong)[name]).tolist() == [[3, 4]]
+        assert np.argwhere(~found.accepted(wrong, exactly(wrong[draw.depth]))[name]).tolist() == [[3, 4]]
 
 
 def test_half_a_subpixel_by_hand():
