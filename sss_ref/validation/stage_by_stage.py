@@ -186,5 +186,5 @@ def _finding(case: Case, check: Check, verdict: Verdict, seconds: float) -> Find
     if not check.where.any():
         return Finding(check, (), section)
     limit = Limit(seconds)
-    found = hypotheses(check, drawn, all_stages(), limit)
+    found = hypotheses(case, check, drawn, all_stages(), limit)
     return Finding(check, tuple(found), section, limit.told)

@@ -162,6 +162,7 @@ def shared_exponent(buffer):
     v = np.clip(buffer.astype(np.float64), 0, 65408)
     _, exponent = np.frexp(v.max(axis=-1, keepdims=True))
     step = np.ldexp(1.0, np.maximum(exponent, -15) - 9)
+    step = np.where(np.rint(v.max(axis=-1, keepdims=True) / step) == 512, 2 * step, step)
     return np.rint(v / step) * step
 
 

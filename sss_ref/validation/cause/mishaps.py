@@ -17,8 +17,8 @@ DIAGONALS = {
 Redrawn = tuple[str, Primitives, Viewport, bool]  # in words, what is drawn, into what, and whether the last one wins
 
 
-def mishaps(visible: Visible, name: str, got: np.ndarray, wrong: np.ndarray) -> Iterator[tuple[str, float]]:
-    """Every mishap, and the share of the pixels of a buffer (H, W) that it explains, half of it of the wrong ones."""
+def mishaps(visible: Visible, name: str, got: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
+    """Every mishap, and the pixels of a buffer (H, W) that it would draw as they are, bool (H, W)."""
     for text, primitives, viewport, last in _drawings(visible):
         drawn = only(primitives, drawable(primitives))
         piece, depth = visibility(drawn, viewport, None, later_wins=last)
@@ -28,7 +28,7 @@ def mishaps(visible: Visible, name: str, got: np.ndarray, wrong: np.ndarray) -> 
                 same = np.abs(got - depth) <= SAME_DEPTH
         else:
             same = got == (shown if name == visible.draw.triangle else shown >= 0)
-        yield text, float((same[wrong].mean() + same.mean()) / 2)
+        yield text, same
 
 
 def _drawings(visible: Visible) -> Iterator[Redrawn]:

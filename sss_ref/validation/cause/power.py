@@ -17,8 +17,8 @@ from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import stacked
 from sss_ref.validation.accept.walk import StageRun, walk
-from sss_ref.validation.cause.hypotheses import NEVER_WRONG
 from sss_ref.validation.cause.mutants import Mutant, mutants
+from sss_ref.validation.cause.other_numbers import NEVER_WRONG
 from sss_ref.validation.verdict.outcomes import distance
 
 SAMPLE = 1500  # pixels of a pass on which errors are tried

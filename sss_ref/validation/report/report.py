@@ -62,7 +62,7 @@ class Report:
     def explanations(self) -> list[str]:
         """What would explain the failure, in sentences."""
         found = self.finding.hypotheses if self.finding else ()
-        told = [f"explained on {each.share:.1%} of the pixels tried: {each.text}" for each in found]
+        told = [f"explained on {each.share:.1%} of the wrong pixels tried: {each.text}" for each in found]
         return [*told, self.finding.not_tried] if self.finding and self.finding.not_tried else told
 
     @property

@@ -1,0 +1,156 @@
+"""How stages are often misread: whole stages done otherwise, each in the words that a report says of it."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from sss_ref.language import Array, Texture, dot, ivec2, length, max, nearest_texel, normalize, pow, select, size, texel
+from sss_ref.language.types import vec2, vec3
+from sss_ref.passes import phong
+
+Given = Mapping[str, Any]  # parameter of a stage -> value
+HALF, ONE, ZERO = np.float32(0.5), np.float32(1), np.float32(0)
+GAMMA = 2.2
+EDGE = 64  # texels by which a picture is repeated beyond its edge
+
+
+@dataclass(frozen=True)
+class Misreading:
+    """What is done instead by stages that write `output`: a function of the right stage and of what it is given."""
+
+    text: str
+    output: str
+    compute: Callable[[Any, Given], Any]
+
+
+def _terms(given: Given) -> tuple[Any, Any, Any]:
+    """N.L, and the directions to the light and to the eye."""
+    to_light = normalize(given["light_position"] - given["position_world"])
+    to_eye = normalize(given["camera_position"] - given["position_world"])
+    return dot(given["normal_world"], to_light), to_light, to_eye
+
+
+def _phong(given: Given, lambert: Any, shine: Any, tinted: bool = True) -> Any:
+    light, mirror = given["incident_light"], given["specular"] * shine
+    gloss = light * mirror if tinted else vec3(mirror, mirror, mirror)
+    ambient = given["ambient"] / given["light_count"]
+    return ((ambient + light * (given["diffuse"] * lambert)) + gloss) * given["albedo"]
+
+
+def _mirrored(given: Given, to_light: Any, to_eye: Any) -> Any:
+    return phong.highlight(given["normal_world"], to_light, to_eye, given["shininess"])
+
+
+def _blinn(right: Any, given: Given) -> Any:
+    cosine, to_light, to_eye = _terms(given)
+    towards_half: Any = dot(given["normal_world"], normalize(to_light + to_eye))
+    half = max(towards_half, ZERO)
+    shine = select(cosine > 0, pow(half, given["shininess"]), ZERO)
+    return _phong(given, max(cosine, ZERO), shine)
+
+
+def _untinted(right: Any, given: Given) -> Any:
+    cosine, to_light, to_eye = _terms(given)
+    return _phong(given, max(cosine, ZERO), _mirrored(given, to_light, to_eye), tinted=False)
+
+
+def _wrapped(power: int) -> Callable[[Any, Given], Any]:
+    def compute(right: Any, given: Given) -> Any:
+        cosine, to_light, to_eye = _terms(given)
+        lambert = cosine * HALF + HALF
+        return _phong(given, lambert * lambert if power == 2 else lambert, _mirrored(given, to_light, to_eye))
+
+    return compute
+
+
+def _eye_as_direction(right: Any, given: Given) -> Any:
+    cosine, to_light, _ = _terms(given)
+    return _phong(given, max(cosine, ZERO), _mirrored(given, to_light, normalize(given["camera_position"])))
+
+
+def _difference(right: Any, given: Given) -> Any:
+    return length(given["position_world"] - given["light_position"]) - given["stored_distance"]
+
+
+def _along_axis(right: Any, given: Given) -> Any:
+    at = given["light_position"]
+    return dot(given["fragment_position"] - at, normalize(vec3(-at.x, -at.y, -at.z)))
+
+
+def _lookup(change: Callable[[Any, Any], Any]) -> Callable[[Any, Given], Any]:
+    """What the shadow map holds beside the place that a fragment falls on."""
+
+    def compute(right: Any, given: Given) -> Any:
+        uv, valid, stored = right(given)
+        there = nearest_texel(size(given["light_distance"]), change(uv, given["light_distance"].data.shape))
+        return select(valid, texel(given["light_distance"], there), stored)
+
+    return compute
+
+
+def _beside(x: float, y: float) -> Callable[[Any, Any], Any]:
+    def change(uv: Any, shape: tuple[int, ...]) -> Any:
+        return vec2(uv.x + np.float32(x / shape[1]), uv.y + np.float32(y / shape[0]))
+
+    return change
+
+
+def _fewer_taps(right: Any, given: Given) -> Any:
+    return right({**given, "tap_count": given["tap_count"] - 1})[0]
+
+
+def _in_gamma_space(right: Any, given: Given) -> Any:
+    encoded = np.maximum(given["lit"].data, 0).astype(np.float64) ** (1 / GAMMA)
+    blurred = right({**given, "lit": Texture(encoded.astype(np.float32))})[0]
+    return vec3(*(np.maximum(part, ZERO) ** np.float32(GAMMA) for part in (blurred.x, blurred.y, blurred.z)))
+
+
+def _one_weight_for_all(right: Any, given: Given) -> Any:
+    weight = np.repeat(given["tap_weight"].data[:, :1], 3, axis=1)
+    return right({**given, "tap_weight": Array(np.ascontiguousarray(weight))})[0]
+
+
+def _repeated(right: Any, given: Given) -> Any:
+    beyond = ((EDGE, EDGE), (EDGE, EDGE))
+    wide: dict[str, Any] = {
+        name: Texture(np.pad(value.data, beyond + ((0, 0),) * (value.data.ndim - 2), mode="wrap"))
+        for name, value in given.items()
+        if isinstance(value, Texture)
+    }
+    at = given["pixel"]
+    return right({**given, **wide, "pixel": ivec2(at.x + np.int32(EDGE), at.y + np.int32(EDGE))})[0]
+
+
+MISREADINGS = (
+    Misreading("the highlight is not tinted: it lacks the light's colour", "phong", _untinted),
+    Misreading("it is Blinn's highlight, (N.H)^shininess, not Phong's (V.R)^shininess", "phong", _blinn),
+    Misreading("N.L wraps round: N.L * 0.5 + 0.5", "phong", _wrapped(1)),
+    Misreading("it is half Lambert: (N.L * 0.5 + 0.5)^2", "phong", _wrapped(2)),
+    Misreading("V is normalize(camera_position), as if the eye were a direction", "phong", _eye_as_direction),
+    Misreading("the thickness is D - t, with its sign, not |P - B|", "thickness", _difference),
+    Misreading("it is the depth along the light's axis, not the distance |P - L|", "light_distance", _along_axis),
+    Misreading(
+        "the shadow map is read upside down: v counts from the top",
+        "stored_distance",
+        _lookup(lambda uv, shape: vec2(uv.x, ONE - uv.y)),
+    ),
+    *(
+        Misreading(
+            f"the shadow map is read half a texel too far {y} and {x}", "stored_distance", _lookup(_beside(dx, dy))
+        )
+        for y, dy in (("up", 0.5), ("down", -0.5))
+        for x, dx in (("right", 0.5), ("left", -0.5))
+    ),
+    *(
+        misreading
+        for output in ("scattered", "scattered_irradiance")
+        for misreading in (
+            Misreading("the last tap is left out", output, _fewer_taps),
+            Misreading("it is blurred in gamma space", output, _in_gamma_space),
+            Misreading("all channels have the weights of red", output, _one_weight_for_all),
+            Misreading("the texture repeats beyond its edge (REPEAT for CLAMP)", output, _repeated),
+        )
+    ),
+)

@@ -1,0 +1,96 @@
+"""Another number for a uniform: the one with which most comes within reach, if it can mean anything."""
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from sss_ref.language.types import Array, Texture, components, mat3, mat4
+from sss_ref.validation.cause.sample import Fit, Sample
+from sss_ref.validation.clock import Limit
+
+NUMBERS, CLOSER = 9, 12  # tried on each side of the best one at a time, and how often
+NEVER_WRONG = ("light_count",)  # uniforms that nobody sets by hand
+
+MEANING = {  # uniform -> the ends of what it can mean; others may be any number
+    **dict.fromkeys(("ambient", "diffuse", "specular", "bias_abs", "bias_slope", "d_min"), (0.0, np.inf)),
+    **dict.fromkeys(("shininess", "x", "exponent", "light_texel_size", "pixel_scale"), (0.0, np.inf)),
+    **dict.fromkeys(("light_intensity", "light_color", "translucency_scale"), (0.0, np.inf)),
+    **dict.fromkeys(("mesh_color", "background"), (0.0, 1.0)),
+    "lookup_inset": (0.5, 1.5),
+}
+
+
+def other_numbers(sample: Sample, limit: Limit) -> Iterator[tuple[str, Fit]]:
+    """Another value of one uniform number, or of one after the other component of a uniform vector."""
+    few = sample.thinned()
+    for own in limit.within("numbers", _own_numbers(sample)):
+        parts = components(sample.given[own])
+        found = list(parts)
+        for k, part in enumerate(parts):
+            found[k] = np.float32(_fitted(partial(_misfits, few, own, tuple(found), k), part))
+        low, high = MEANING.get(own, (-np.inf, np.inf))
+        if all(low <= number <= high for number in found):
+            fit = sample.fit(_with_number(sample, own, tuple(found), 0, found[0]))
+            yield f"{sample.stage.reads[own]} is {_listed(found)} instead of {_listed(parts)}", fit
+
+
+def _own_numbers(sample: Sample) -> Iterator[str]:
+    """The stage's own names of its uniforms that are numbers or vectors of these, and that somebody may set wrong."""
+    for own, value in sample.given.items():
+        parts = [] if isinstance(value, Texture | Array | mat3 | mat4) else components(value)
+        if own not in NEVER_WRONG and parts and all(isinstance(part, np.float32) for part in parts):
+            yield own
+
+
+def _listed(parts: list[Any]) -> str:
+    texts = [f"{float(part):.6g}" for part in parts]
+    return texts[0] if len(texts) == 1 else f"({', '.join(texts)})"
+
+
+def _with_number(sample: Sample, own: str, parts: tuple[Any, ...], k: int, number: Any) -> np.ndarray:
+    """What the stage gives with one component of a uniform changed; number: float32, or one for each pixel."""
+    changed = [*parts[:k], number, *parts[k + 1 :]]
+    kind = sample.stage.parameters[own]
+    return sample.with_inputs({own: changed[0] if len(changed) == 1 else kind(*changed)})
+
+
+def _misfits(sample: Sample, own: str, parts: tuple[Any, ...], k: int, numbers: np.ndarray) -> np.ndarray:
+    """How far off the stage is with each of these numbers in the place of a component, float64 (K,)."""
+    return _apart(sample, numbers, lambda many, each: _with_number(many, own, parts, k, each))
+
+
+def _apart(sample: Sample, numbers: np.ndarray, compute: Callable[[Sample, np.ndarray], np.ndarray]) -> np.ndarray:
+    """How far off what is computed with each of some numbers is, float64 (K,); the stage is run just once."""
+    many = sample.repeated(len(numbers))
+    with np.errstate(all="ignore"):
+        values = compute(many, np.repeat(numbers.astype(np.float32), len(sample.got)))
+        apart = np.abs(values.astype(np.float64) - many.got) / (many.reach + 1e-30)
+    return np.nan_to_num(apart, nan=1e30, posinf=1e30).reshape(len(numbers), -1).mean(axis=1)
+
+
+def lengthened(sample: Sample, own: str, name: str) -> Iterator[tuple[str, Fit]]:
+    """A uniform vector a little longer or shorter."""
+    few, right = sample.thinned(), sample.given[own]
+
+    def misfits(numbers: np.ndarray) -> np.ndarray:
+        return _apart(few, numbers, lambda many, each: many.with_inputs({own: right * each}))
+
+    factor = _fitted(misfits, np.float32(1))
+    if factor > 0:
+        yield f"{name} is {factor:.6g} times as long", sample.fit(sample.with_inputs({own: right * np.float32(factor)}))
+
+
+def _fitted(misfits: Callable[[np.ndarray], np.ndarray], value: np.float32) -> float:
+    """The number with which most comes within reach: searched in steps that grow, then ever closer to the best."""
+    scale = abs(float(value)) or 1.0
+    steps = [0.0, *(sign * scale * 10.0**power for power in np.arange(-5, 1.01, 0.125) for sign in (-1, 1))]
+    candidates = np.sort(float(value) + np.array(steps))
+    for _ in range(1 + CLOSER):
+        errors = misfits(candidates)
+        best = int(errors.argmin())
+        around = candidates[max(best - 1, 0)], candidates[best], candidates[min(best + 1, len(candidates) - 1)]
+        found = float(candidates[best])
+        candidates = np.concatenate([np.linspace(*around[:2], NUMBERS), np.linspace(*around[1:], NUMBERS)[1:]])
+    return found

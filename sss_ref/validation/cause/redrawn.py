@@ -1,0 +1,140 @@
+"""A draw of the mesh with one thing changed: its matrices, its viewport, the triangles that it keeps."""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from sss_ref.interpret.work import Fragments
+from sss_ref.language.names import Name
+from sss_ref.language.pipeline import Pass
+from sss_ref.language.types import mat3, mat4
+from sss_ref.raster.primitives import Primitives, drawable, only, place
+from sss_ref.raster.rasterize import visibility
+from sss_ref.rendering.draw import Machine, shade, varying_columns, vertices
+from sss_ref.validation.accept.case import Case
+
+Move = Callable[[Primitives, int], Primitives]  # of pieces, and the step of a pixel
+Matrix = np.ndarray
+ZOOMS = (0.5, 0.8, 0.9, 0.95, 0.98, 0.99, 0.995, 1.005, 1.01, 1.02, 1.05, 1.1, 1.25, 2.0)
+TURNS = (-5.0, -2.0, -1.0, -0.5, -0.25, -0.1, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0)  # degrees
+SCALES = (0.5, 2.0)
+JITTER = (-1.0, -0.5, -0.25, -0.125, 0.0, 0.125, 0.25, 0.5, 1.0)  # pixels
+SIDES = {"x": ("left", "right"), "y": ("down", "up")}
+
+
+def as_they_are(primitives: Primitives, step: int) -> Primitives:
+    """All pieces where they are."""
+    return primitives
+
+
+@dataclass(frozen=True)
+class Redrawing:
+    """A buffer of a pass that draws the mesh, to be drawn again with something changed."""
+
+    case: Case
+    this_pass: Pass
+    buffer: str
+
+    def draw(self, uniforms: Mapping[str, Any] = {}, move: Move = as_they_are) -> np.ndarray:
+        """The buffer (H, W) or (H, W, C) with other uniforms and with pieces moved or left out."""
+        own = self.case.oracle.scene
+        there = {**self.case.oracle.buffers, **self.case.drawing.buffers}
+        scene = replace(own, own_uniforms={**own.own_uniforms, **uniforms})
+        machine = Machine(subpixel_bits=self.case.profile.subpixel_bits, stops=False)
+        viewport, draw = machine.viewport(scene, self.this_pass), self.this_pass.draw
+        placed, _ = place(*vertices(scene, self.this_pass, there, machine), scene.mesh.triangles, viewport)
+        primitives = move(placed, viewport.step)
+        primitives = only(primitives, drawable(primitives))
+        piece, depth = visibility(primitives, viewport, None)
+        shown = np.append(primitives.triangle, np.int32(-1))[piece]
+        raster = {draw.depth: depth, draw.triangle: shown, draw.coverage: (shown >= 0).astype(np.uint8)}
+        if self.buffer in raster:
+            return raster[self.buffer]
+        varyings, _ = varying_columns(self.this_pass)
+        fragments = Fragments(*scene.size(self.this_pass), primitives, piece, viewport.step, varyings)
+        return shade(scene, self.this_pass, fragments, there, [self.buffer], machine)[self.buffer]
+
+
+def redrawings(todo: Redrawing) -> Iterator[tuple[str, Callable[[], np.ndarray]]]:
+    """What may be wrong with the draw in words, and the buffer then."""
+    yield from ((text, partial(todo.draw, changed)) for text, changed in _matrices(todo))
+    for text, move in _moves():
+        yield text, partial(todo.draw, move=move)
+
+
+def _matrices(todo: Redrawing) -> Iterator[tuple[str, Mapping[str, Any]]]:
+    """Every matrix of the vertex stage made another one."""
+    uniforms = todo.case.oracle.scene.uniforms
+    for name in (name for name, kind in todo.this_pass.draw.reads.items() if kind in (mat3, mat4)):
+        for text, matrix in other_matrices(name, uniforms):
+            yield text, {name: matrix}
+
+
+def other_matrices(name: str, uniforms: Mapping[str, Any]) -> Iterator[tuple[str, Matrix]]:
+    """Another matrix in the place of one, in words."""
+    right = np.asarray(uniforms[name], np.float64)
+    changed: dict[str, Matrix] = {"transposed": right.T, "the identity": np.eye(len(right))}
+    if len(right) == 3:
+        changed["world_from_model, not its inverse transpose"] = np.asarray(uniforms["world_from_model"])[:3, :3]
+    base = Name.of(name).base
+    changed |= {
+        other: np.asarray(uniforms[other]) for other in uniforms if other != name and Name.of(other).base == base
+    }
+    if "clip_from" in name:
+        changed["of the other convention: z from 0 to w, not from -w to w"] = _half_depth() @ right
+        for zoom in ZOOMS:
+            changed[f"of another field of view: tan(fov_y/2) is {zoom:g} times as large"] = (
+                np.diag([1 / zoom, 1 / zoom, 1, 1]) @ right
+            )
+        for degrees in TURNS:
+            changed[f"of another time: the scene is turned by {degrees:g} degrees about the vertical"] = right @ _turn(
+                degrees
+            )
+    for text, matrix in changed.items():
+        yield f"{name} is {text}", matrix.astype(np.float32)
+
+
+def _half_depth() -> Matrix:
+    return np.array([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0.5, 0.5], [0, 0, 0, 1.0]])
+
+
+def _turn(degrees: float) -> Matrix:
+    cosine, sine = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    return np.array([[cosine, 0, sine, 0], [0, 1, 0, 0], [-sine, 0, cosine, 0], [0, 0, 0, 1.0]])
+
+
+def _moves() -> Iterator[tuple[str, Move]]:
+    """Culling, viewports of another size, and pictures that lie elsewhere."""
+    yield "front faces, counter-clockwise in the window, are culled", partial(_culled, -1)
+    yield "back faces, clockwise in the window, are culled", partial(_culled, 1)
+    yield "the depth test keeps the farthest", lambda pieces, step: pieces._replace(depth=1 - pieces.depth)
+    for scale in SCALES:
+        yield f"its viewport is {scale:g} times as large as its target", partial(_scaled, scale)
+    for x in JITTER:
+        for y in JITTER:
+            if (x, y) != (0.0, 0.0):
+                yield f"the picture lies {_way(x, y)}: a viewport or a jitter", partial(_shifted, x, y)
+
+
+def _way(x: float, y: float) -> str:
+    parts = [f"{abs(d):g} pixels too far {SIDES[axis][d > 0]}" for axis, d in (("x", x), ("y", y)) if d]
+    return " and ".join(parts)
+
+
+def _shifted(x: float, y: float, pieces: Primitives, step: int) -> Primitives:
+    move = np.rint(np.array([x, y]) * step).astype(np.int32)
+    return pieces._replace(snapped=np.ascontiguousarray(pieces.snapped + move))
+
+
+def _scaled(scale: float, pieces: Primitives, step: int) -> Primitives:
+    half = step // 2
+    return pieces._replace(snapped=np.rint((pieces.snapped + half) * scale - half).astype(np.int32))
+
+
+def _culled(sign: int, pieces: Primitives, step: int) -> Primitives:
+    a, b, c = (pieces.snapped[pieces.corners[:, k]].astype(np.int64).T for k in range(3))
+    turn = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+    return only(pieces, turn * sign > 0)

@@ -1,0 +1,78 @@
+"""The cause by name: ports with one mistake each, and what must not be said of them."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+from planted import PLANTED, oracle_of, scene_of
+from scenes import around, two_slabs, written
+
+from sss_ref.rendering.fold import render
+from sss_ref.scene.load import load_scene
+from sss_ref.validation.cause.hypotheses import Hypothesis
+from sss_ref.validation.stage_by_stage import validate
+
+SIDE = 32
+SOME = [
+    "camera matrix transposed",
+    "light 1's map for light 2",
+    "light 1's matrix for light 2",
+    "model matrix left out of the map",
+    "normals turned by the model matrix",
+    "camera's field of view 1 % off",
+    "light position x 1.0005",
+    "map one pixel off",
+    "map's depth of the other convention",
+    "front faces culled in the map",
+    "12 of 13 taps",
+    "blur in gamma space",
+    "highlight not tinted",
+    "Blinn for Phong",
+    "d = D - t",
+    "N.L wrapped",
+    "R11G11B10F",
+    "map cleared to 0",
+    "blur outside the stencil",
+    "RGB9E5",
+]
+
+
+@cache
+def oracle(scene):
+    return oracle_of(scene_of(scene, SIDE))
+
+
+@pytest.mark.parametrize("name", SOME)
+def test_the_cause_comes_first(name):
+    (planted,) = (each for each in PLANTED if each.name == name)
+    right = oracle(planted.scene)
+    found = validate(right, planted.drawn(right.scene))
+    assert not found.passed and planted.is_named_by(found.explanations[0]), found.explanations
+
+
+@pytest.fixture(scope="module")
+def slabs(tmp_path_factory):
+    path = written(tmp_path_factory.mktemp("slabs") / "slabs.obj", *two_slabs())
+    return render(load_scene(around(path, 48)), "arrays")
+
+
+def test_what_would_leave_the_wrong_pixels_wrong_explains_nothing(slabs):
+    """A few wrong pixels in a buffer that a cut at 0 and 1 leaves as it is."""
+    image = slabs["image"] * np.float32(0)
+    right = slabs.buffers | {"image": slabs["image"].copy()}
+    right["image"][20:24, 20:24] = 0.123 + image[20:24, 20:24]
+    found = validate(slabs, right)
+    assert not found.passed and found.explanations == []
+
+
+def test_what_makes_right_pixels_wrong_explains_nothing(slabs):
+    """Twelve pixels hold halves: "it was stored as float16" would make the others wrong."""
+    lit = slabs["lit"].copy()
+    rows, columns = (axis[:12] for axis in np.nonzero(slabs["triangle"] >= 0))
+    lit[rows, columns] = lit[rows, columns].astype(np.float16)
+    assert not any("float16" in each for each in validate(slabs, {"lit": lit}).explanations)
+
+
+def test_simple_explanations_come_before_mutants_and_whole_ones_before_others():
+    given = [Hypothesis("a", 1.0, 1.0, 3), Hypothesis("b", 0.99, 1.0, 0), Hypothesis("c", 1.0, 1.0, 1)]
+    assert [each.text for each in sorted(given, key=lambda each: each.order)] == ["c", "a", "b"]
