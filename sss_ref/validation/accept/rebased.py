@@ -30,7 +30,8 @@ class Check:
     where: bool (H, W), the pixels that are compared. expected, got: (H, W) or (H, W, C). reach: float64, of the same
     shape: how far a processor of the profile may be off. undecided: bool (H, W), where it may choose one of several
     texels or sides. covered: of the rasterizer, uint8 (H, W), whether a pixel must be covered (`MUST_NOT` to `MUST`).
-    outside: of a stage, bool (H, W), the pixels on which nothing is drawn: there its background stands.
+    outside: of a stage, bool (H, W), the pixels on which nothing is drawn: there its background stands. fragments: of a
+    stage, bool (H, W), the pixels on which it runs, compared or not.
     """
 
     pass_name: str
@@ -43,11 +44,18 @@ class Check:
     undecided: np.ndarray | None = None
     covered: np.ndarray | None = None
     outside: np.ndarray | None = None
+    fragments: np.ndarray | None = None
+
+    @property
+    def comparable(self) -> np.ndarray:
+        """Bool (H, W): the pixels that a whole judgement compares."""
+        return self.where if self.fragments is None else self.fragments
 
     def only_at(self, chosen: np.ndarray) -> "Check":
         """The check on some of its pixels, bool (H, W)."""
         outside = None if self.outside is None else self.outside & chosen
-        return replace(self, where=self.where & chosen, outside=outside)
+        fragments = self.comparable & chosen
+        return replace(self, where=self.where & chosen, outside=outside, fragments=fragments)
 
 
 def checks(case: Case, only: str | None = None) -> Iterator[Check]:
@@ -102,6 +110,7 @@ def _checks_of_stages(case: Case, drawn: DrawnPass) -> Iterator[Check]:
     for name in (name for name in wanted if name in dumped):
         known = found[name]
         check = Check(this_pass.name, writers[name], name, where, known.exact, dumped[name], known.reach, known.doubt)
+        check = replace(check, fragments=drawn.work.fragments.where)
         yield check if this_pass.is_register(name) else _with_background(check, outside, case.oracle.scene.clear(name))
 
 

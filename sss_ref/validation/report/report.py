@@ -12,6 +12,7 @@ from sss_ref.validation.report.metrics import Likeness
 from sss_ref.validation.verdict.verdict import Verdict
 
 MOST_NAMED = 6  # suspects in a sentence
+NEARLY_WHOLE = 0.9  # of the pixels that could be compared: below, a pass says how far it goes
 
 
 @dataclass(frozen=True)
@@ -72,9 +73,9 @@ class Report:
             return f"fail: there is no buffer{f' of stage {self.only}' if self.only else ''} to judge"
         wrong = self.culprit
         if wrong is None and self.only:
-            return f"pass: stage {self.only} gives what it should; no other stage was judged"
+            return f"pass{self._so_far}: stage {self.only} gives what it should; no other stage was judged"
         if wrong is None:
-            return f"pass: {len(self.verdicts)} buffers, every stage gives what it should"
+            return f"pass{self._so_far}: {len(self.verdicts)} buffers, every stage gives what it should"
         at = f"stage {wrong.stage} of pass {wrong.pass_name}"
         if not wrong.failing and wrong.background:
             return f"fail: pass {wrong.pass_name} is {self._which} wrong: in {wrong.buffer}, {wrong.background}"
@@ -84,6 +85,14 @@ class Report:
             f"fail: {at}{_or_before(wrong)} is {self._which} wrong: {wrong.failing / wrong.compared:.1%} of the "
             f"pixels of {wrong.buffer} are out of reach, worst {wrong.worst}"
         )
+
+    @property
+    def _so_far(self) -> str:
+        """How far a pass goes where little is said of some buffer."""
+        least = min(self.verdicts, key=lambda verdict: verdict.decided)
+        if least.decided >= NEARLY_WHOLE:
+            return ""
+        return f" as far as was judged, {least.decided:.0%} of the pixels of {least.buffer}"
 
     @property
     def _which(self) -> str:

@@ -42,7 +42,8 @@ class Verdict:
     ulps: values in each of ULP_CLASSES. first, worst: the first wrong pixel, row by row from the bottom, and the one
     that lies farthest beyond its reach; None without any, as are the clusters. suspects: of a buffer that is wrong, the
     stages one of which is, as PASS/STAGE in stage order: its own as the last, and those before it whose results were
-    not given. background: what stands where nothing is drawn, if that is wrong.
+    not given. background: what stands where nothing is drawn, if that is wrong. comparable: how many pixels a whole
+    judgement compares.
     """
 
     pass_name: str
@@ -62,6 +63,13 @@ class Verdict:
     chained: int | None = None  # pixels within what the whole may give without any of the dump (see `chained`)
     suspects: tuple[str, ...] = ()
     background: Background | None = None
+    comparable: int = 0
+
+    @property
+    def decided(self) -> float:
+        """The share of the pixels that a whole judgement compares about which something is said."""
+        told = self.compared - self.undefined - self.unbounded
+        return told / max(self.comparable, self.compared, 1)
 
     @property
     def certain(self) -> int:
@@ -106,6 +114,7 @@ def judged(check: Check, whereabouts: Whereabouts) -> Verdict:
         ulps=_ulps_off(pixels),
         widths=widths_of(pixels.expected[defined], pixels.reach[defined]),
         background=background_of(check),
+        comparable=int(check.comparable.sum()),
     )
     return _with_wrong_pixels(verdict, check, pixels, whereabouts) if wrong.any() else verdict
 

@@ -1,0 +1,44 @@
+"""A verdict says of how much of the picture it is one."""
+
+from dataclasses import replace
+
+import pytest
+from scenes import around, two_slabs, written
+
+from sss_ref.rendering.fold import render
+from sss_ref.scene.load import load_scene
+from sss_ref.validation.stage_by_stage import validate
+
+
+@pytest.fixture(scope="module")
+def oracle(tmp_path_factory):
+    path = written(tmp_path_factory.mktemp("mesh") / "slabs.obj", *two_slabs())
+    return render(load_scene(around(path, 32)), interpreter="arrays")
+
+
+def test_fragments_that_show_another_triangle_are_not_compared_and_count_as_such(oracle):
+    triangle = oracle["triangle"].copy()
+    drawn = triangle >= 0
+    drawn[:, :16] = False
+    triangle[drawn] += 1
+    report = validate(oracle, {**oracle.buffers, "triangle": triangle}, profile="ieee", explain=False)
+    (thickness,) = (verdict for verdict in report.verdicts if verdict.buffer == "thickness")
+    whole = int((oracle["triangle"] >= 0).sum())
+    assert (thickness.comparable, thickness.compared) == (whole, whole - int(drawn.sum()))
+    assert thickness.decided == thickness.compared / whole < 0.9
+
+
+def test_a_pass_over_part_of_the_pixels_does_not_read_like_a_whole_one(oracle):
+    report = validate(oracle, oracle.buffers, explain=False)
+    assert report.summary == f"pass: {len(report.verdicts)} buffers, every stage gives what it should"
+    first, second, *others = report.verdicts
+    part = replace(second, comparable=4 * second.compared)
+    told = replace(report, verdicts=(first, part, *others)).summary
+    assert told.startswith(f"pass as far as was judged, 25% of the pixels of {second.buffer}: ")
+
+
+def test_pixels_of_which_nothing_can_be_said_are_not_judged(oracle):
+    report = validate(oracle, oracle.buffers, explain=False)
+    verdict = report.verdicts[-1]
+    assert verdict.decided == 1
+    assert replace(verdict, unbounded=verdict.compared // 2).decided == pytest.approx(0.5, abs=0.01)
