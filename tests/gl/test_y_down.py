@@ -16,6 +16,7 @@ from sss_ref.gl import draw
 from sss_ref.interpret.shader import array_lengths, shader_files
 from sss_ref.validation.accept.dumped import Drawing
 from sss_ref.validation.clock import Clock
+from sss_ref.validation.scope import VERDICTS_ALONE
 from sss_ref.validation.stage_by_stage import judge
 
 pytestmark = needs_mesa
@@ -71,7 +72,7 @@ def report_of(scene, memory, folder, mapping):
     tables = [f'[buffers.{name}]\nfile = "{name}.npy"\n' for name in memory if name not in named]
     (folder / "mapping.toml").write_text(mapping + "\n" + "\n".join(tables))
     found = Drawing.read(read_dump(folder / "mapping.toml", scene))
-    return judge(sss_ref.render(scene, "arrays"), found, None, "vulkan", False, Clock())
+    return judge(sss_ref.render(scene, "arrays"), found, None, "vulkan", VERDICTS_ALONE, Clock())
 
 
 def test_mirrored(tmp_path):

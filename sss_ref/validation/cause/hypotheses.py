@@ -35,6 +35,7 @@ from sss_ref.validation.verdict.outcomes import FAIL, outcome_map
 TELLING = 8  # wrong pixels from which on explanations mean something
 ENOUGH = 0.98  # of the wrong pixels that an explanation must bring within reach, and of the right ones to stay there
 ALL = 0.999
+MOST_ALIKE = 4  # mistakes that compute the same, said one by one
 MOST_SAID = 8
 
 
@@ -177,16 +178,26 @@ def _kernels(sample: Sample) -> Tried:
 
 
 def _mutants(sample: Sample, limit: Limit) -> Tried:
-    """Every mutant of the stage; a mistake that reads beside a texture is passed over."""
-    few, said = sample.thinned(), dict[bytes, str]()
+    """Every mutant of the stage; a mistake that reads beside a texture is passed over.
+
+    Those that compute the same are one explanation, which says several: no buffer can tell them apart.
+    """
+    few, alike = sample.thinned(), dict[bytes, list[Mutant]]()
     for mutant in limit.within("mistakes in the source", mutants(sample.stage)):
         values = _values_of(mutant, few)
-        if values is None or min(few.fit(values)) < ENOUGH or values.tobytes() in said:
-            continue
-        said[values.tobytes()] = mutant.description
-        whole = _values_of(mutant, sample)
+        if values is not None and min(few.fit(values)) >= ENOUGH:
+            alike.setdefault(values.tobytes(), []).append(mutant)
+    for group in alike.values():
+        whole = _values_of(group[0], sample)
         if whole is not None:
-            yield mutant.description, sample.fit(whole)
+            yield _any_of(group), sample.fit(whole)
+
+
+def _any_of(alike: list[Mutant]) -> str:
+    """The mistakes that compute the same, in words."""
+    told = ", or ".join(mutant.description for mutant in alike[:MOST_ALIKE])
+    left = len(alike) - MOST_ALIKE
+    return f"{told}, or one of {left} more that compute the same" if left > 0 else told
 
 
 def _values_of(mutant: Mutant, sample: Sample) -> np.ndarray | None:
