@@ -5,7 +5,7 @@ from collections.abc import Callable
 from sss_ref.explanation.traces import StageTrace
 from sss_ref.interpret.shader import GLSL
 from sss_ref.interpret.shader.expressions import Expressions
-from sss_ref.interpret.shader.library import Library
+from sss_ref.interpret.shader.library import Library, local
 from sss_ref.interpret.shader.passes import LONGEST_ARRAY
 from sss_ref.interpret.trace import Step
 from sss_ref.language.tree import names_in
@@ -25,7 +25,7 @@ def glsl_lines(traced: StageTrace) -> Translate:
         if isinstance(step.source, str) or not step.name:
             return ""
         accumulates = step.name in names_in(step.source)
-        left = GLSL.name(step.name) if accumulates else GLSL.declared(step.source.type, step.name)
+        left = GLSL.name(step.name) if accumulates else local(GLSL, step.name, step.source)
         return f"{left} = {expressions.text(step.source)};"
 
     return translate

@@ -97,9 +97,9 @@ def test_depth_opens_calls(told):
 def test_every_line_as_glsl(told):
     (section,) = sections(told.passes, "back_point", glsl=True)
     assert [row.glsl for row in section.rows if row.kind == "line"] == [
-        "vec3 direction = normalize_(position_world - light_position);",
-        "vec3 entry_point = shadow_valid ? light_position + direction * stored_distance : position_world;",
-        "float thickness = length_(position_world - entry_point);",
+        "precise vec3 direction = normalize_(position_world - light_position);",
+        "precise vec3 entry_point = shadow_valid ? light_position + direction * stored_distance : position_world;",
+        "precise float thickness = length_(position_world - entry_point);",
     ]
     (section,) = sections(told.passes, "scatter", glsl=True)
     assert "total = total + tap_sample(lit, pixel, tap_offset[tap] * pixel_scale) * tap_weight[tap];" in [
@@ -156,7 +156,7 @@ def test_in_the_terminal(capsys):
     printed = capsys.readouterr().out
     assert "thickness = length(position_world - entry_point)" in printed
     assert "scene units along the light's ray" in printed
-    assert "float thickness = length_(position_world - entry_point);" in printed
+    assert "precise float thickness = length_(position_world - entry_point);" in printed
     for wrong, message in (
         ("20", "--pixel: expected COLUMN,ROW, got '20'; write it as 256,300"),
         ("20,99", "pixel: expected column 0 to 47 and row 0 to 47, got 20,99; row 0 is at the bottom"),

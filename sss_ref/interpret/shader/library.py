@@ -157,9 +157,7 @@ class Library:
         if statement.name in known:
             return f"{self.dialect.name(statement.name)} = {text};"
         known.add(statement.name)
-        is_sum = statement.value.type in FLOATING or _rounds(statement.value)
-        declared = self.dialect.computed if is_sum else self.dialect.declared
-        return f"{declared(statement.value.type, statement.name)} = {text};"
+        return f"{local(self.dialect, statement.name, statement.value)} = {text};"
 
     def _loop(self, statement: tree.Loop, known: set[str], expressions: Expressions) -> list[str]:
         """The loop; what is new in its block is unknown after it."""
@@ -168,6 +166,12 @@ class Library:
         head = f"for (int {index} = {start}; {index} < {stop}; {index}++)"
         block = [self._assign(assign, inside, expressions) for assign in statement.block]
         return braced(head, block)
+
+
+def local(dialect: Dialect, name: str, value: tree.Expression) -> str:
+    """The declaration of a local variable that holds a value; its sums must stay as written."""
+    is_sum = value.type in FLOATING or _rounds(value)
+    return (dialect.computed if is_sum else dialect.declared)(value.type, name)
 
 
 def _rounds(expression: tree.Expression) -> bool:
