@@ -46,9 +46,8 @@ class Result:
 
     def save(self, folder: str | PathLike[str]) -> Path:
         """Write pictures, buffers and manifest into a folder, which appears whole or not at all; returns it."""
-        saving = import_module(
-            "sss_ref.results.folder"
-        )  # the one way up: the room of result folders builds on this one
+        # The one way up: the room of result folders builds on this one.
+        saving = import_module("sss_ref.results.folder")
         saved: Path = saving.save(self, Path(folder))
         return saved
 

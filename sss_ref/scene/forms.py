@@ -28,11 +28,6 @@ class Form:
         return (self.height, self.width, self.channels)[: 2 if self.channels == 1 else 3]
 
     @property
-    def bytes(self) -> int:
-        """What the buffer takes."""
-        return self.channels * self.dtype.itemsize * self.width * self.height
-
-    @property
     def is_spatial(self) -> bool:
         """Whether it holds points or directions of world space."""
         return described(self.name).unit.endswith("world space")
