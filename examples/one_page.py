@@ -197,7 +197,7 @@ def render(scene):
     skin, transmits = settings.translucency, settings.translucency.combine == "transmit"
     x, y, exponent = np.float32([skin.x, skin.y, skin.exponent])
     term = np.minimum(pow(x, y) / pow(at_least(skin.d_min, thickness), exponent), LARGEST_HALF)
-    translucency = np.where(directly_lit | ~shadow_valid, np.float32(0 if transmits else 1), term)
+    translucency = np.where(directly_lit | (shadow_uv[:, 0] < 0), np.float32(0 if transmits else 1), term)
     if transmits:  # preset robust: the light that enters from behind is added
         reflected = np.where(directly_lit[:, None], phong_color, phong.ambient * albedo)
         from_behind = (translucency * skin.scale) * at_least(0, -facing)

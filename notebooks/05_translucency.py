@@ -24,7 +24,7 @@ import small_scenes
 from rerun import rerun
 
 import sss_ref
-from sss_ref.language import normalize, vec3
+from sss_ref.language import normalize, vec2, vec3
 from sss_ref.passes import shadow_map, translucency
 from sss_ref.pictures.png_file import plain8
 
@@ -82,9 +82,9 @@ figures.values(axes[1], result["thickness"], "The light's way inside", "$d$, sce
 
 # %%
 def transmitted(form, *constants):
-    neutral = np.float32(1)
+    on_the_map, neutral = vec2(np.float32(0.5), np.float32(0.5)), np.float32(1)
     rest = [np.float32(value) for value in constants]
-    return form(d, np.False_, np.True_, *rest, neutral).translucency
+    return form(d, np.False_, on_the_map, *rest, neutral).translucency
 
 
 d = np.linspace(0.005, 2, 400, dtype=np.float32)

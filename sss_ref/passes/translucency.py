@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from sss_ref.language import constant, dot, exp, function, max, min, normalize, pow, select, stage, vec3
+from sss_ref.language import constant, dot, exp, function, max, min, normalize, pow, select, stage, vec2, vec3
 
 TRANSLUCENCY_MAX = constant(65504.0)  # the largest half float, so that a dump in any format can hold it
 
@@ -10,20 +10,23 @@ TRANSLUCENCY_MAX = constant(65504.0)  # the largest half float, so that a dump i
 class Translucency(NamedTuple):
     """The factor that the body's thickness leaves of the light."""
 
-    translucency: float  # neutral where the fragment is directly lit, or the shadow map knows nothing of it
+    translucency: float  # neutral where the fragment is directly lit, or lies beside the light's map
 
 
 @function
-def where_light_passes(term: float, directly_lit: bool, shadow_valid: bool, neutral: float) -> float:
-    """The term, bounded, where light comes through the body; `neutral` (1 to multiply, 0 to add) elsewhere."""
-    return select(directly_lit, neutral, select(shadow_valid, min(term, TRANSLUCENCY_MAX), neutral))
+def where_light_passes(term: float, directly_lit: bool, shadow_uv: vec2, neutral: float) -> float:
+    """The term, bounded, where light may come through the body; `neutral` (1 to multiply, 0 to add) elsewhere.
+
+    On the map's background nothing stands before the fragment: there the term is that of thickness 0.
+    """
+    return select(directly_lit, neutral, select(shadow_uv.x >= 0.0, min(term, TRANSLUCENCY_MAX), neutral))
 
 
 @stage(source="paper 3.2: x^y / d^0.6")
 def translucency_ratio(
     thickness: float,
     directly_lit: bool,
-    shadow_valid: bool,
+    shadow_uv: vec2,
     x: float,
     y: float,
     exponent: float,
@@ -32,14 +35,14 @@ def translucency_ratio(
 ) -> Translucency:
     """T = x^y / max(d, d_min)^exponent; x and y set the material, d_min keeps thin parts finite."""
     term = pow(x, y) / pow(max(thickness, d_min), exponent)
-    return Translucency(where_light_passes(term, directly_lit, shadow_valid, translucency_neutral))
+    return Translucency(where_light_passes(term, directly_lit, shadow_uv, translucency_neutral))
 
 
 @stage(source="paper 3.2, read as x^(y / d^0.6)")
 def translucency_exponent(
     thickness: float,
     directly_lit: bool,
-    shadow_valid: bool,
+    shadow_uv: vec2,
     x: float,
     y: float,
     exponent: float,
@@ -48,15 +51,15 @@ def translucency_exponent(
 ) -> Translucency:
     """T = x^(y / max(d, d_min)^exponent): the same formula with the fraction in the exponent."""
     term = pow(x, y / pow(max(thickness, d_min), exponent))
-    return Translucency(where_light_passes(term, directly_lit, shadow_valid, translucency_neutral))
+    return Translucency(where_light_passes(term, directly_lit, shadow_uv, translucency_neutral))
 
 
 @stage(source="Beer-Lambert law")
 def translucency_beer(
-    thickness: float, directly_lit: bool, shadow_valid: bool, x: float, translucency_neutral: float
+    thickness: float, directly_lit: bool, shadow_uv: vec2, x: float, translucency_neutral: float
 ) -> Translucency:
     """T = e^(-x*d): what an absorbing body of extinction x per scene unit leaves."""
-    return Translucency(where_light_passes(exp(-x * thickness), directly_lit, shadow_valid, translucency_neutral))
+    return Translucency(where_light_passes(exp(-x * thickness), directly_lit, shadow_uv, translucency_neutral))
 
 
 class Lit(NamedTuple):

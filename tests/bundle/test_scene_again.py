@@ -140,7 +140,7 @@ def without(key):
         (lambda path: path.unlink(), "scene.json: expected the scene of a bundle, got No such file"),
         (lambda path: path.write_text("{"), "scene.json: file: expected what sss-ref bundle writes, got something"),
         (without("source"), "scene.json: source: expected what sss-ref bundle writes, got something else; write the"),
-        (edited(rules_version=0), "scene.json: expected rules version 1, got 0; write the bundle again"),
+        (edited(rules_version=0), "scene.json: expected rules version 2, got 0; write the bundle again"),
         (edited(own_stages=["blend"]), "scene.json: expected our stages, got others for blend; use sss_ref.validate"),
         (edited(settings={"mesh": {"path": "none"}}), "mesh.path: expected a mesh file or a shipped mesh's name"),
     ],

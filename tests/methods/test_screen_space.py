@@ -136,6 +136,17 @@ def test_a_light_whose_map_misses_part_of_the_body(bodies):
     assert (result["translucency"][outside] == 1).all()
 
 
+@pytest.mark.parametrize("preset", ["paper", "robust"])
+def test_on_the_background_of_the_map_translucency_is_that_of_no_thickness(bodies, preset):
+    """Fragments just behind the terminator, whose nearest texel shows no body: x^y / d_min^.6, and no dark seam."""
+    result = render(load_scene(around(bodies["sphere"]), preset=preset))
+    on_map = (result["coverage"] == 1) & (result["shadow_uv"][..., 0] >= 0)
+    seam = on_map & (result["shadow_valid"] == 0) & (result["directly_lit"] == 0)
+    thinnest = on_map & (result["directly_lit"] == 0) & (result["thickness"] <= 0.1)
+    assert seam.sum() > 5 and np.unique(result["translucency"][thinnest]).size == 1
+    assert (seam <= thinnest).all() and result["translucency"][seam].min() > 1
+
+
 def test_the_cases_hold_every_alternative_of_the_scene_file():
     alternatives = {
         "shadow_map.filter": settings.ShadowMap.model_fields["filter"],

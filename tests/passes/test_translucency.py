@@ -14,7 +14,8 @@ from sss_ref.passes.translucency import (
 )
 
 MATERIAL = {"x": 2, "y": -1, "exponent": 0.5, "d_min": 0.25, "translucency_neutral": 1}
-SHADED = {"directly_lit": False, "shadow_valid": True}
+SHADED = {"directly_lit": False, "shadow_uv": (0, 0.5)}
+OUTSIDE = (-1, -1)
 FROM_BEHIND = {"position_world": (0, 0, 0), "normal_world": (0, 0, 1), "light_position": (0, 0, -2)}
 
 
@@ -59,12 +60,12 @@ def test_translucency_beer():
 
 
 @pytest.mark.parametrize("neutral", [0, 1])
-@pytest.mark.parametrize(("directly_lit", "shadow_valid"), [(True, True), (True, False), (False, False)])
+@pytest.mark.parametrize(("directly_lit", "shadow_uv"), [(True, (0, 0.5)), (True, OUTSIDE), (False, OUTSIDE)])
 @pytest.mark.parametrize("stage", [translucency_ratio, translucency_exponent, translucency_beer])
-def test_where_no_light_comes_through_it_is_neutral(stage, directly_lit, shadow_valid, neutral):
+def test_where_no_light_comes_through_it_is_neutral(stage, directly_lit, shadow_uv, neutral):
     inputs = {**MATERIAL, "translucency_neutral": neutral}
     inputs = {name: value for name, value in inputs.items() if name in stage.parameters}
-    assert call(stage, thickness=4, directly_lit=directly_lit, shadow_valid=shadow_valid, **inputs) == (neutral,)
+    assert call(stage, thickness=4, directly_lit=directly_lit, shadow_uv=shadow_uv, **inputs) == (neutral,)
 
 
 def test_bounded_by_the_largest_half_float():

@@ -63,7 +63,7 @@ def test_no_manifest(tmp_path):
     [
         (lambda text: text[:100], "file"),
         (lambda text: "[" * 100_000, "file"),
-        (lambda text: text.replace('"rules_version": 1', '"rules_version": "1"'), "rules_version"),
+        (lambda text: text.replace('"rules_version": 2', '"rules_version": "2"'), "rules_version"),
         (lambda text: text.replace('"format_version": 1', '"format_version": 9'), "format_version"),
         (lambda text: text.replace('"sha256": "', '"sha256": "x', 1), "buffers.0.sha256"),
     ],

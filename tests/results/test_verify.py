@@ -37,9 +37,9 @@ def test_passes_are_told(own):
 
 def test_other_rules(own):
     path = own / "manifest.json"
-    path.write_text(path.read_text().replace('"rules_version": 1', '"rules_version": 0'))
+    path.write_text(path.read_text().replace('"rules_version": 2', '"rules_version": 0'))
     verdict = verify(own)
-    assert not verdict.equal and verdict.message == "made under other rules (0 -> 1)"
+    assert not verdict.equal and verdict.message == "made under other rules (0 -> 2)"
 
 
 def test_changed_file(own):

@@ -184,23 +184,23 @@ def phong_shading(
 # Translucency
 
 
-def _translucency(term, directly_lit, shadow_valid, neutral):
-    return (neutral if directly_lit or not shadow_valid else minimum(term, F(65504)),)
+def _translucency(term, directly_lit, shadow_uv, neutral):
+    return (neutral if directly_lit or shadow_uv[0] < 0 else minimum(term, F(65504)),)
 
 
-def translucency_ratio(thickness, directly_lit, shadow_valid, x, y, exponent, d_min, translucency_neutral):
+def translucency_ratio(thickness, directly_lit, shadow_uv, x, y, exponent, d_min, translucency_neutral):
     term = power(x, y) / power(maximum(thickness, d_min), exponent)
-    return _translucency(term, directly_lit, shadow_valid, translucency_neutral)
+    return _translucency(term, directly_lit, shadow_uv, translucency_neutral)
 
 
-def translucency_exponent(thickness, directly_lit, shadow_valid, x, y, exponent, d_min, translucency_neutral):
+def translucency_exponent(thickness, directly_lit, shadow_uv, x, y, exponent, d_min, translucency_neutral):
     term = power(x, y / power(maximum(thickness, d_min), exponent))
-    return _translucency(term, directly_lit, shadow_valid, translucency_neutral)
+    return _translucency(term, directly_lit, shadow_uv, translucency_neutral)
 
 
-def translucency_beer(thickness, directly_lit, shadow_valid, x, translucency_neutral):
+def translucency_beer(thickness, directly_lit, shadow_uv, x, translucency_neutral):
     term = correctly_rounded(gmpy2.exp, -x * thickness)
-    return _translucency(term, directly_lit, shadow_valid, translucency_neutral)
+    return _translucency(term, directly_lit, shadow_uv, translucency_neutral)
 
 
 def lit_multiply(phong, directly_lit, translucency):

@@ -21,13 +21,13 @@ def suspects_of(place, dumped, **tables):
 
 
 def test_a_stage_that_was_given_all_it_reads_is_the_only_one():
-    given = ["thickness", "directly_lit", "shadow_valid"]
+    given = ["thickness", "directly_lit", "shadow_uv"]
     assert suspects_of("camera/translucency", given) == ["camera/translucency_ratio"]
     assert suspects_of("composite/image", ["scattered", "coverage"]) == ["composite/over_background"]
 
 
 def test_a_stage_before_it_whose_result_is_missing_is_another():
-    given = ["thickness", "shadow_valid", "stored_distance", "position_world", "normal_world"]
+    given = ["thickness", "shadow_uv", "stored_distance", "position_world", "normal_world"]
     found = ["camera/directly_lit_slope", "camera/translucency_ratio"]
     assert suspects_of("camera/translucency", given) == found
     given.remove("stored_distance")  # which also needs the shadow map
