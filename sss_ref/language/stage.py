@@ -7,7 +7,7 @@ callable as plain Python, which is how array code runs them.
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, update_wrapper
+from functools import cache, cached_property, update_wrapper
 from typing import Any, TypeVar, cast, get_type_hints
 
 import numpy as np
@@ -97,6 +97,19 @@ class Stage:
         reads = {own: names.get(own, name) for own, name in self.reads.items()}
         return replace(self, reads=reads, writes={own: names.get(own, name) for own, name in self.writes.items()})
 
+    def retyped(self, **kinds: Any) -> "Stage":
+        """The same stage with other types of some of its own names, as x=vec3: its source is read again with these.
+
+        Where an operation works component by component, each component is computed as the stage computes a number.
+        Raises StageError where the source does not allow it.
+        """
+        own = {**self.parameters, **self.outputs}
+        if unknown := set(kinds) - set(own):
+            raise StageError(f"stage {self.name} has no parameter or output `{min(unknown)}` to give another type")
+        changed = own | kinds
+        parameters, outputs = ({name: changed[name] for name in names} for names in (self.parameters, self.outputs))
+        return replace(self, body=_body(self.python, (*parameters.items(),), (*outputs.items(),)), outputs=outputs)
+
     def renamed(self, rename: Callable[[str], str]) -> "Stage":
         """The same stage with every name that a pass sees replaced."""
         reads = {own: rename(name) for own, name in self.reads.items()}
@@ -122,6 +135,14 @@ def stage(source: str) -> Callable[[Callable[..., Any]], Stage]:
         return Stage(python, source, body, outputs, names, {name: name for name in outputs})
 
     return define
+
+
+@cache
+def _body(
+    python: Callable[..., Any], parameters: tuple[tuple[str, Any], ...], outputs: tuple[tuple[str, Any], ...]
+) -> tree.Body:
+    """The tree of a stage for these types, read once."""
+    return body_of(python, dict(parameters), dict(outputs))
 
 
 def _place(python: Callable[..., Any]) -> str:

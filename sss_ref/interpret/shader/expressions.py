@@ -113,7 +113,8 @@ class Expressions:
             return f"{self.definitions.function(expression, self.lengths)}({self.listed(arguments)})", ATOM
         if name == "select":
             condition, if_true, if_false = arguments
-            return f"{self.text(condition, OR)} ? {self.text(if_true, OR)} : {self.text(if_false)}", SELECTION
+            sides = f"{self.widened(if_true, expression, OR)} : {self.widened(if_false, expression)}"
+            return f"{self.text(condition, OR)} ? {sides}", SELECTION
         if name == "texel":
             (kind,) = get_args(arguments[0].type)
             return self.dialect.fetched(kind, *map(self.text, arguments)), LOADED.get(kind, ATOM)
@@ -124,9 +125,9 @@ class Expressions:
             return f"{self.definitions.texture_size(arguments[0].type)}({texts[0]})", ATOM
         return f"{self.definitions.extreme(name, expression.type)}({', '.join(texts)})", ATOM
 
-    def widened(self, argument: tree.Expression, call: tree.Call) -> str:
-        """An argument of a primitive; a scalar that stands beside a vector becomes one."""
-        text = self.text(argument)
+    def widened(self, argument: tree.Expression, call: tree.Call, least: int = SELECTION) -> str:
+        """An argument of a primitive, as `text` has it; a scalar that stands beside a vector becomes one."""
+        text = self.text(argument, least)
         assert isinstance(call.callee, Primitive)
         vector = isinstance(call.type, type) and issubclass(call.type, Vector) and get_origin(argument.type) is None
         scalar = vector and call.callee.by_component and argument.type is float
