@@ -5,7 +5,7 @@ from sss_ref.language.names import tap_name
 from sss_ref.language.pipeline import Method, Pass, ScreenDraw
 from sss_ref.methods.per_light import Lights
 from sss_ref.methods.shared import CAMERA_VIEW, NEUTRAL, behind_the_surface, shadow_maps
-from sss_ref.passes import blur, composite, translucency
+from sss_ref.passes import blur, blur_on_surface, composite, lengths, translucency
 from sss_ref.scene_file.settings import SceneFile
 
 COMBINE = {  # how T joins the light, and the T that changes nothing
@@ -14,6 +14,12 @@ COMBINE = {  # how T joins the light, and the T that changes nothing
     "transmit": (translucency.lit_transmit, 0.0),
 }
 BLUR = {"none": blur.scatter, "output": blur.scatter, "taps": blur.scatter_inside}
+BLUR_ON_SURFACE = BLUR | {"output": blur_on_surface.scatter_on_surface, "taps": blur_on_surface.scatter_inside_surface}
+
+UNIT = {  # of the kernel's offsets: the stages that say what one is at a fragment, and what says it
+    "pixel": ((), "pixel_scale"),
+    "mm": ((lengths.pixel_length, lengths.offset_length), "pixels_per_offset"),
+}
 
 
 def screen_space(settings: SceneFile) -> Method:
@@ -23,21 +29,27 @@ def screen_space(settings: SceneFile) -> Method:
     stencil = ScreenDraw("coverage" if masked else "")
     combine, neutral = COMBINE[settings.translucency.combine]
     lit = (*lights.each(combine), *lights.summed("lit"))
-    camera = (*behind_the_surface(settings, lights), *lit)
+    lengths_there, scale = UNIT[settings.blur.unit]
+    camera = (*behind_the_surface(settings, lights), *lengths_there, *lit)
+    blurred = (BLUR_ON_SURFACE if settings.blur.follow_surface else BLUR)[settings.blur.mask]
     return Method(
         "screen_space",
         passes=(
             *shadow_maps(lights),
             Pass("camera", "camera", CAMERA_VIEW, camera),
-            Pass("blur", "camera", stencil, (BLUR[settings.blur.mask],)),
-            Pass("taps", "camera", stencil, single_taps(settings), on_demand=True),
+            Pass("blur", "camera", stencil, (blurred.bound(pixel_scale=scale),)),
+            Pass("taps", "camera", stencil, single_taps(settings, scale), on_demand=True),
             Pass("composite", "camera", ScreenDraw(), (composite.over_background if masked else composite.glow,)),
         ),
         constants={NEUTRAL: neutral},
     )
 
 
-def single_taps(settings: SceneFile) -> tuple[Stage, ...]:
-    """The stage `single_tap` once for each row of the kernel, writing tap_00, tap_01 and so on."""
+def single_taps(settings: SceneFile, scale: str = "pixel_scale") -> tuple[Stage, ...]:
+    """The stage `single_tap` once for each row of the kernel, writing tap_00, tap_01 and so on.
+
+    scale: the uniform or buffer that says how many pixels an offset is.
+    """
     names = [tap_name(number) for number in range(len(settings.blur.taps))]
-    return tuple(blur.single_tap.bound(tap=name, offset=f"{name}_offset", weight=f"{name}_weight") for name in names)
+    single = blur.single_tap.bound(pixel_scale=scale)
+    return tuple(single.bound(tap=name, offset=f"{name}_offset", weight=f"{name}_weight") for name in names)

@@ -1,11 +1,13 @@
 """Texture-space subsurface scattering (paper 2.2 and 3.3): shadow map, irradiance map and its blur, camera."""
 
-from sss_ref.language import Stage
+from dataclasses import replace
+
+from sss_ref.language import Stage, Texture, vec2
 from sss_ref.language.names import TEXEL, Name
 from sss_ref.language.pipeline import MeshDraw, Method, Pass, ScreenDraw
 from sss_ref.methods.per_light import Lights, of_light
 from sss_ref.methods.shared import CAMERA_VIEW, NEUTRAL, behind_the_surface, light_at_the_surface, shadow_maps
-from sss_ref.passes import blur, irradiance, shadow_map, texture_image
+from sss_ref.passes import blur, irradiance, lengths, shadow_map, texture_image
 from sss_ref.passes.camera import surface
 from sss_ref.passes.vertex import layout_vertex
 from sss_ref.scene_file.settings import SceneFile
@@ -22,6 +24,19 @@ USED = {  # how T joins the irradiance, and the T that changes nothing
 BLUR = {"none": blur.scatter, "output": blur.scatter, "taps": blur.scatter_inside}
 
 LAYOUT = MeshDraw(layout_vertex, coverage="irradiance_mask", layout=True)
+LAYOUT_IN_MM = replace(LAYOUT, triangle="texel_triangle")
+
+LENGTHS_THERE = (  # of a texel and of an offset, along both axes of the layout
+    lengths.texel_length.bound(triangle="texel_triangle"),
+    lengths.offset_length.retyped(mm_per_pixel=vec2, pixels_per_offset=vec2).bound(
+        mm_per_pixel="mm_per_texel", pixels_per_offset="texels_per_offset"
+    ),
+)
+LENGTHS_FILLED = irradiance.dilate.retyped(irradiance=Texture[vec2], irradiance_filled=vec2).bound(
+    irradiance="texels_per_offset",
+    irradiance_filled="texels_per_offset_filled",
+    irradiance_filled_mask="texels_per_offset_mask",
+)
 
 
 def texture_space(settings: SceneFile) -> Method:
@@ -38,11 +53,29 @@ def texture_space(settings: SceneFile) -> Method:
         "texture_space",
         passes=(
             *shadow_maps(lights, shadow_map.uv_at_light),
-            Pass("irradiance_map", "irradiance_map", LAYOUT, irradiance_stages(settings, lights)),
+            *laid_out(settings, irradiance_stages(settings, lights)),
             *(each for light in lights.numbers for each in scattered(settings, light)),
             Pass("camera", "camera", CAMERA_VIEW, camera, registers=("gloss",)),
         ),
         constants={NEUTRAL: neutral},
+    )
+
+
+def laid_out(settings: SceneFile, stages: tuple[Stage, ...]) -> tuple[Pass, ...]:
+    """The irradiance map; where the kernel is in mm also what an offset is at each texel, beside the charts too."""
+    if settings.blur.unit == "pixel":
+        return (Pass("irradiance_map", "irradiance_map", LAYOUT, stages),)
+    feedback = {"texels_per_offset": "texels_per_offset_filled", "irradiance_mask": "texels_per_offset_mask"}
+    return (
+        Pass("irradiance_map", "irradiance_map", LAYOUT_IN_MM, (*LENGTHS_THERE, *stages)),
+        Pass(
+            "offset_fill",
+            "irradiance_map",
+            ScreenDraw(),
+            (LENGTHS_FILLED,),
+            rounds=settings.irradiance_map.dilate,
+            feedback=feedback,
+        ),
     )
 
 
@@ -71,8 +104,11 @@ def scattered(settings: SceneFile, light: int) -> tuple[Pass, Pass]:
     names = {"lit": "irradiance_filled", "scattered": "scattered_irradiance"}
     if settings.blur.mask == "taps":
         names["coverage"] = "irradiance_filled_mask"
-    stage = BLUR[settings.blur.mask].bound(**names)
-    blurred = Pass(str(Name("irradiance_blur", light)), "irradiance_map", ScreenDraw(), (stage,))
+    stage, draw = BLUR[settings.blur.mask].bound(**names), ScreenDraw()
+    if settings.blur.unit == "mm":  # beside the widened charts no length is known
+        stage = stage.retyped(pixel_scale=vec2).bound(pixel_scale="texels_per_offset_filled")
+        draw = ScreenDraw("irradiance_filled_mask")
+    blurred = Pass(str(Name("irradiance_blur", light)), "irradiance_map", draw, (stage,))
     return filled.renamed(of_light(light)), blurred.renamed(of_light(light))
 
 

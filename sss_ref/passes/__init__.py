@@ -5,7 +5,8 @@
 3. `camera`: the surface that a pixel shows.
 4. `phong`: how that surface reflects the light.
 5. `translucency`: how much light comes through the body, and how it joins what is reflected.
-6. `blur`: how light that scatters below the surface leaves beside where it entered (Table 1).
+6. `blur`: how light that scatters below the surface leaves beside where it entered (Table 1). Where its offsets are in
+   mm, `lengths` says what these are in pixels, and `blur_on_surface` keeps it from what lies far behind.
 7. `composite`: the picture.
 
 Texture space (paper 2.2, 3.3) has two files more, and what it shares it takes from above:

@@ -18,13 +18,13 @@ MEMORY_LIMIT = 4 * 2**30  # bytes
 TEXTURE_BYTES = 12  # per texel: linear RGB, float32
 
 
-def bytes_per_pixel(method: str, preset: str, lights: int) -> Mapping[str, int]:
+def bytes_per_pixel(tables: Mapping[str, Any]) -> Mapping[str, int]:
     """Scene table -> bytes of all buffers that have its size, as keep="all" holds them, for one pixel or texel.
 
-    No other key of a scene file changes which buffers there are.
+    tables: key of the scene file -> validated value, as in `check_memory`; what is missing counts as its default.
     """
     counted = Counter[str]()
-    for each in method_of(_plainest(method, preset, lights)).passes:
+    for each in method_of(_plainest(tables)).passes:
         kinds = [] if each.on_demand else each.outputs.values()
         counted[each.target] += sum(CHANNELS[kind] * dtype_of(kind).itemsize for kind in kinds)
     return counted
@@ -37,7 +37,7 @@ def check_memory(tables: Mapping[str, Any], texture_size: tuple[int, int]) -> No
     texture_size: width and height in texels.
     """
     lights = len(tables.get("lights", "1"))
-    counted = bytes_per_pixel(tables.get("method", "screen_space"), tables.get("preset", "paper"), lights)
+    counted = bytes_per_pixel(tables)
     sized = {name: tables[name] for name in counted if name in tables}
     needed: dict[KeyPath, int] = {(name,): counted[name] * each.width * each.height for name, each in sized.items()}
     needed["mesh", "texture"] = TEXTURE_BYTES * texture_size[0] * texture_size[1]
@@ -49,17 +49,20 @@ def check_memory(tables: Mapping[str, Any], texture_size: tuple[int, int]) -> No
         raise unmet_at(largest, "at most 4 GiB of buffers and textures", came, remedy)
 
 
-def _plainest(method: str, preset: str, lights: int) -> settings.SceneFile:
-    """Settings that choose these three and leave all else to the preset."""
-    chosen = {name: PRESETS[preset][name] for name in ("translucency", "blur", "irradiance_map")}
+def _plainest(tables: Mapping[str, Any]) -> settings.SceneFile:
+    """Settings with what decides which buffers there are, and all else as the preset has it."""
+    chosen = tables.get("preset", "paper")
+    preset = {name: PRESETS[chosen][name] for name in ("translucency", "blur", "irradiance_map")}
+    if chosen != "published" and "blur" in tables:
+        preset["blur"] = {**preset["blur"], "unit": tables["blur"].unit}
     return settings.SceneFile.model_construct(
-        method=method,
-        preset=preset,
+        method=tables.get("method", "screen_space"),
+        preset=chosen,
         mesh=settings.MeshSettings.model_construct(path=""),
-        lights=(viewpoints.LightSettings.model_construct(),) * lights,
-        translucency=settings.TranslucencySettings.model_construct(**chosen["translucency"]),
-        blur=settings.Blur.model_construct(**chosen["blur"]),
-        irradiance_map=settings.IrradianceMap.model_construct(**chosen["irradiance_map"]),
+        lights=tables.get("lights", (viewpoints.LightSettings.model_construct(),)),
+        translucency=settings.TranslucencySettings.model_construct(**preset["translucency"]),
+        blur=settings.Blur.model_construct(**preset["blur"]),
+        irradiance_map=settings.IrradianceMap.model_construct(**preset["irradiance_map"]),
     )
 
 

@@ -15,10 +15,10 @@ from sss_ref.passes.buffers import described
 from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.forms import Form, forms_of, size_of
 from sss_ref.scene.stages_replaced import with_stages
-from sss_ref.scene.uniforms import uniforms_of
+from sss_ref.scene.uniforms import stretch, uniforms_of
 from sss_ref.scene.until import buffers_kept, buffers_until
 from sss_ref.scene_file.settings import SceneFile
-from sss_ref.view.matrices import Matrix
+from sss_ref.view.matrices import Matrix, transformed
 from sss_ref.view.views import Light, View
 
 
@@ -46,7 +46,8 @@ class Scene:
     def uniforms(self) -> Mapping[str, Any]:
         """Every uniform of every stage by name, float32 or int: scalars, or arrays (N,), (N, N), (N, C), (H, W, C)."""
         own = uniforms_of(self.settings, self.world_from_model, self.camera, self.lights, self.method.constants)
-        return {**own, **self.albedo, **self.own_uniforms}
+        points = transformed(self.world_from_model, self.mesh.positions)
+        return {**own, **stretch(self.settings, points, self.mesh), **self.albedo, **self.own_uniforms}
 
     @cached_property
     def forms(self) -> Mapping[str, Form]:

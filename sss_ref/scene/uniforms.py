@@ -4,12 +4,17 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sss_ref.language.names import Name, tap_name
+from sss_ref.mesh.stretch import stretch_of
+from sss_ref.mesh.triangles import Mesh
 from sss_ref.passes.light_uniforms import LightUniforms
 from sss_ref.scene_file.settings import SceneFile
-from sss_ref.view.matrices import Matrix, normal_matrix
+from sss_ref.view.matrices import Matrix, Vector, normal_matrix
 from sss_ref.view.views import Light, View
+
+SHORTEST_REACH = 1e-30  # scene units
 
 
 def uniforms_of(
@@ -30,6 +35,10 @@ def uniforms_of(
         "normal_from_model": normal_matrix(world_from_model),
         "camera_clip_from_model": camera.clip_from(world_from_model),
         "camera_position": camera.eye,
+        "camera_clip_from_world": camera.clip_from(np.eye(4)),
+        "camera_pixel_size": camera.pixel_size,
+        "ahead": _ahead(settings, camera),
+        "mm_per_unit": settings.mm_per_unit,
         "light_count": len(lights),
         **_of_lights(settings, world_from_model, lights),
         "lookup_inset": settings.shadow_map.lookup_inset,
@@ -46,6 +55,7 @@ def uniforms_of(
         "translucency_scale": settings.translucency.scale,
         **constants,
         "pixel_scale": settings.blur.pixel_scale,
+        "mm_per_offset": settings.blur.mm_per_offset,
         "tap_offset": taps[:, :2],
         "tap_weight": taps[:, 2:],
         "background": settings.output.background,
@@ -55,6 +65,24 @@ def uniforms_of(
     rounded = {name: np.array(value, np.float32, order="C") for name, value in values.items()}
     scalars = {name: value if value.ndim else value[()] for name, value in rounded.items()}
     return {**scalars, "tap_count": len(taps)}
+
+
+def _ahead(settings: SceneFile, camera: View) -> Vector:
+    """The camera's direction divided by the kernel's reach in scene units; 0 for a kernel that reaches nowhere."""
+    reach = settings.blur.reach * settings.blur.mm_per_offset / settings.mm_per_unit
+    return -camera.view[2, :3] / reach if reach > SHORTEST_REACH else np.zeros(3)
+
+
+def stretch(settings: SceneFile, points: NDArray[np.float64], mesh: Mesh) -> dict[str, NDArray[np.float32]]:
+    """`triangle_stretch`, which only a blur in mm of the layout reads: scene units per texel, float32 (T, 2).
+
+    points: world positions of the vertices (V, 3).
+    """
+    if settings.method != "texture_space" or settings.blur.unit == "pixel":
+        return {}
+    assert mesh.uvs is not None  # the loader has checked
+    size = settings.irradiance_map.width, settings.irradiance_map.height
+    return {"triangle_stretch": (stretch_of(points, mesh.uvs, mesh.triangles) / size).astype(np.float32)}
 
 
 def _of_lights(settings: SceneFile, world_from_model: Matrix, lights: Sequence[Light]) -> dict[str, Any]:

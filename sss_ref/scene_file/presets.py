@@ -37,7 +37,7 @@ PUBLISHED: dict[str, Any] = {
         "lookup_stage": "vertex",
     },
     "translucency": {"form": "exponent", "combine": "add", "scale": 1.0, "x": 0.5, "y": 1.0, "d_min": 0.0},
-    "blur": {"kernel": "schoenberger", "mask": "none", "pixel_scale": 1.0},
+    "blur": {"kernel": "schoenberger", "unit": "pixel", "mask": "none", "pixel_scale": 1.0, "follow_surface": False},
     "irradiance_map": {"width": 1600, "height": 900, "mode": "distance", "image": "sqrt_add", "dilate": 0},
 }
 
@@ -52,6 +52,8 @@ FIXED: dict[str, Any] = {
     "translucency.form": "exponent",
     "translucency.combine": "add",
     "translucency.d_min": 0.0,
+    "blur.unit": "pixel",
+    "blur.follow_surface": False,
     "blur.mask": "none",
     "irradiance_map.mode": "distance",
     "irradiance_map.image": "sqrt_add",

@@ -4,6 +4,7 @@ World space is right-handed with +Y up. Lengths are scene units, angles degrees,
 default is filled by the preset, or else the file must give it. All models are strict, closed and frozen.
 """
 
+import math
 import os
 from typing import Annotated, Literal
 
@@ -142,8 +143,15 @@ class Blur(Table):
 
     kernel: Kernel
     """The name of a published kernel, or rows [X, Y, red, green, blue] with X, Y in pixels."""
+    unit: Literal["pixel", "mm"] = "pixel"
+    """Of the kernel's offsets X and Y: pixels or texels (paper 3.2), or millimetres on the surface."""
     pixel_scale: NonNegative
-    """Factor on X and Y."""
+    """Pixels or texels that an offset of 1 is, with unit "pixel"."""
+    mm_per_offset: Positive = 1.2
+    """Millimetres that an offset of 1 is, with unit "mm"; 1.2 fits hbh09 to measured skin."""
+    follow_surface: bool = False
+    """Whether taps of mask "output" or "taps" leave out what lies farther before or behind than the kernel reaches;
+    on the picture, with unit "mm"."""
     mask: Literal["none", "output", "taps"]
     """Where it acts: everywhere, on covered pixels, or on covered pixels from covered taps only."""
     normalize: bool = False
@@ -155,13 +163,26 @@ class Blur(Table):
         rows = _rows(self.kernel)
         return normalized(rows) if self.normalize else rows
 
+    @property
+    def reach(self) -> float:
+        """The length of the longest offset."""
+        return max(math.sqrt(x * x + y * y) for x, y, *_ in self.taps)
+
     @field_validator("pixel_scale")
     @classmethod
     def _within_reach(cls, pixel_scale: float, info: ValidationInfo) -> float:
         reach = max(max(abs(x), abs(y)) for x, y, *_ in _rows(info.data.get("kernel", "table1")))
-        if reach * pixel_scale > LARGEST_SIZE:
+        scale = pixel_scale if info.data.get("unit") == "pixel" else 1.0
+        if reach * scale > LARGEST_SIZE:
             raise unmet(f"taps within {LARGEST_SIZE} pixels (the farthest is at {reach:g})", "choose a smaller scale")
         return pixel_scale
+
+    @field_validator("follow_surface")
+    @classmethod
+    def _knows_lengths(cls, follow_surface: bool, info: ValidationInfo) -> bool:
+        if follow_surface and info.data.get("unit") == "pixel":
+            raise unmet('false with blur.unit = "pixel"', 'set blur.unit = "mm"')
+        return follow_surface
 
     @field_validator("normalize")
     @classmethod
@@ -204,7 +225,7 @@ class SceneFile(Table):
     preset: Literal["paper", "robust", "published"] = "paper"
     """What fills the keys that are not given; published also has passes of its own."""
     mm_per_unit: Positive = 1.0
-    """Millimetres per scene unit: a note for the reader. T depends on the unit, so it is never converted."""
+    """Millimetres per scene unit: for lengths in mm. T of x, y and d_min depends on the unit and is never converted."""
     mesh: MeshSettings
     camera: Camera
     lights: Annotated[tuple[LightSettings, ...], Field(strict=False), LIGHTS]

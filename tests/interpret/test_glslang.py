@@ -24,6 +24,11 @@ CHOICES = {
     "translucency.form": alternatives(settings.TranslucencySettings, "form"),
     "translucency.combine": alternatives(settings.TranslucencySettings, "combine"),
     "blur.mask": alternatives(settings.Blur, "mask"),
+    "blur": tuple(
+        {"unit": "mm", "mask": mask, "follow_surface": follow}
+        for mask in alternatives(settings.Blur, "mask")
+        for follow in (False, True)
+    ),
     "lights": ([{"position": [0.0, 0.0, 5.0]}] * 2, [{"position": [0.0, 0.0, 5.0], "falloff": "inverse_square"}]),
     "irradiance_map.mode": alternatives(settings.IrradianceMap, "mode"),
     "irradiance_map.image": alternatives(settings.IrradianceMap, "image"),

@@ -3,7 +3,7 @@
 from collections import Counter
 
 import pytest
-from alternatives import all_methods
+from alternatives import methods_with_settings
 from PIL import Image
 
 from sss_ref.errors import SceneError
@@ -12,6 +12,9 @@ from sss_ref.scene import load_scene
 from sss_ref.scene.catalogue import METHODS
 from sss_ref.scene.memory import bytes_per_pixel
 from sss_ref.scene_file import color_texture as textures
+from sss_ref.scene_file.presets import ROBUST
+from sss_ref.scene_file.settings import Blur
+from sss_ref.scene_file.viewpoints import LightSettings
 
 
 def problems(scene, **overrides):
@@ -24,26 +27,31 @@ BYTES = {  # per pixel or texel, worked by hand from the list of buffers: those 
     "screen_space": {"camera": (89, 58), "shadow_map": (0, 12)},
     "texture_space": {"camera": (77, 66), "shadow_map": (0, 20), "irradiance_map": (1, 37)},
 }
+IN_MM = {"screen_space": {"camera": 8}, "texture_space": {"irradiance_map": 25}}  # more where the kernel is in mm
 PHONG_SUM = 12  # several lights have a `phong` each, and one together
 
 
+@pytest.mark.parametrize("unit", ["pixel", "mm"])
 @pytest.mark.parametrize("lights", range(1, 17))
 @pytest.mark.parametrize("method", METHODS)
-def test_every_buffer_counts(method, lights):
+def test_every_buffer_counts(method, lights, unit):
     worked = {table: once + each * lights for table, (once, each) in BYTES[method].items()}
     worked["camera"] += PHONG_SUM if lights > 1 else 0
-    assert bytes_per_pixel(method, "robust", lights) == worked
+    for table, more in IN_MM[method].items():
+        worked[table] += more if unit == "mm" else 0
+    tables = {"method": method, "preset": "robust", "lights": (LightSettings.model_construct(),) * lights}
+    blur = Blur.model_construct(**ROBUST["blur"] | {"unit": unit})
+    assert bytes_per_pixel({**tables, "blur": blur}) == worked
+    assert unit == "mm" or bytes_per_pixel(tables) == worked
 
 
-def test_no_other_key_changes_what_buffers_there_are():
-    for method in all_methods():
-        lights = sum(name.startswith("light_distance") for name in method.outputs)
+def test_what_is_counted_is_what_is_written():
+    for method, settings in methods_with_settings():
         written = Counter()
         for one in method.passes:
             for kind in [] if one.on_demand else one.outputs.values():
                 written[one.target] += CHANNELS[kind] * dtype_of(kind).itemsize
-        published = any(name.startswith("exact") for name in method.values)
-        assert written == bytes_per_pixel(method.name, "published" if published else "paper", lights)
+        assert written == bytes_per_pixel(dict(settings))
 
 
 LIGHTS = [{"position": [0, 0, 9]}] * 16

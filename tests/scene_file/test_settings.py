@@ -58,6 +58,7 @@ COMMON = {
     "output": {"background": (0.0, 0.0, 0.0)},
 }
 
+IN_PIXELS = {"unit": "pixel", "mm_per_offset": 1.2, "follow_surface": False, "normalize": False}
 BY_PRESET = {
     "paper": {
         "translucency": {
@@ -69,7 +70,7 @@ BY_PRESET = {
             "scale": 1.0,
             "d_min": 0.1,
         },
-        "blur": {"kernel": "table1", "mask": "output", "pixel_scale": 1.0, "normalize": False},
+        "blur": {"kernel": "table1", "mask": "output", "pixel_scale": 1.0, **IN_PIXELS},
         "irradiance_map": {
             "width": 1024,
             "height": 1024,
@@ -89,7 +90,7 @@ BY_PRESET = {
             "scale": 0.2,
             "d_min": 0.1,
         },
-        "blur": {"kernel": "hbh09", "mask": "taps", "pixel_scale": 2.0, "normalize": False},
+        "blur": {"kernel": "hbh09", "mask": "taps", "pixel_scale": 2.0, **IN_PIXELS},
         "irradiance_map": {
             "width": 1024,
             "height": 1024,
@@ -122,7 +123,7 @@ BY_PRESET = {
             "scale": 1.0,
             "d_min": 0.0,
         },
-        "blur": {"kernel": "schoenberger", "mask": "none", "pixel_scale": 1.0, "normalize": False},
+        "blur": {"kernel": "schoenberger", "mask": "none", "pixel_scale": 1.0, **IN_PIXELS},
         "irradiance_map": {
             "width": 1600,
             "height": 900,
@@ -176,6 +177,23 @@ def test_kernels_sum_to_what_their_authors_printed():
     assert [row for row, printed in zip(cut, TABLE1, strict=True) if row != printed] == [
         (0.0, 0.0, 0.2204, 0.437, 0.635)
     ]
+
+
+def test_a_surface_is_followed_by_lengths():
+    with pytest.raises(ValidationError, match=r'expected false with blur\.unit = "pixel"; set blur\.unit = "mm"'):
+        Blur(kernel="hbh09", pixel_scale=1, mask="taps", follow_surface=True)
+    assert Blur(kernel="hbh09", pixel_scale=1, mask="taps", unit="mm", follow_surface=True).follow_surface
+
+
+def test_reach_is_that_of_the_farthest_tap():
+    assert Blur(kernel=[[3, -4, 1, 1, 1], [0, 4, 1, 1, 1]], pixel_scale=9, mask="none").reach == 5
+
+
+def test_taps_stay_within_reach_in_their_own_unit():
+    far = [[2000, 0, 1, 1, 1]]
+    with pytest.raises(ValidationError, match="taps within 16384 pixels"):
+        Blur(kernel=far, pixel_scale=9, mask="none")
+    assert Blur(kernel=far, pixel_scale=9, unit="mm", mask="none").reach == 2000  # where pixel_scale says nothing
 
 
 def test_taps_of_a_blur():

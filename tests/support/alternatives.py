@@ -17,9 +17,14 @@ def alternatives(table, key):
     return [value for value in get_args(table.model_fields[key].annotation) if value not in only_published]
 
 
-@cache
 def all_methods():
-    """The methods of every combination of alternatives, of three lights and of preset `published`."""
+    """The methods of `methods_with_settings`."""
+    return [method for method, _ in methods_with_settings()]
+
+
+@cache
+def methods_with_settings():
+    """Methods with their settings: all combinations of alternatives, three lights, a kernel in mm, `published`."""
     choices = {
         "method": METHODS,
         "mesh.color": ((0.7, 0.4, 0.4), "material"),
@@ -37,4 +42,7 @@ def all_methods():
     for method in METHODS:
         cases.append({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * 3})
         cases.append({"method": method, "preset": "published"})
-    return [method_of(settings_with(case)) for case in cases]
+        for lights, mask, follow in product((1, 3), alternatives(settings.Blur, "mask"), (False, True)):
+            blur = {"unit": "mm", "mask": mask, "follow_surface": follow}
+            cases.append({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * lights, "blur": blur})
+    return [(method_of(one), one) for one in map(settings_with, cases)]

@@ -35,6 +35,9 @@ OUTSIDE = [[-1, -1], [-0.25, 0.5], [1.5, 1.25]]  # no point of the shadow map; U
 FAR_UVS = [*UVS, [-1e-30, 1.0000001], [0.99999994, -1], [3, 1e30], [-0.5, 2.05]]  # -1e-30 - floor(-1e-30) rounds to 1
 THICKNESSES = [0.0, 1e-30, 0.1, 0.09999999, 1e30]  # with d_min = .1: both sides of it
 
+LENGTHS = [0.0, -1.0, 1e-30, 1e30]  # nothing drawn, behind the camera
+SCALES = [0.0, 1.0, 0.5, 4096.0]
+
 KERNEL = [
     (0.0, 0.0, 0.22, 0.487, 0.635),
     (1.63, 0.04, 0.08, 0.064, 0.039),
@@ -62,6 +65,14 @@ UNIFORMS: dict[str, Any] = {
     "bias_abs": np.float32(0),
     "bias_slope": np.float32(1.5),
     "camera_position": np.array([0, 0.5, 3], np.float32),
+    "camera_clip_from_world": np.array([[2, 0, 0, 0], [0, 2, 0, 0], [0, 0, -1, 2.9], [0.1, 0, -1, 3]], np.float32),
+    "camera_pixel_size": np.float32(0.03),
+    "ahead": np.array([0.3, -0.2, -0.9], np.float32),
+    "mm_per_unit": np.float32(15),
+    "mm_per_offset": np.float32(1.2),
+    "triangle_stretch": np.array(
+        [[0.1, 0.2], [0.03, 0.1], [0, 0], [1e30, 0.7], [1, 1], [2, 0.3], [0.1, 0]], np.float32
+    ),
     "mesh_color": np.array([0.7, 0.4, -0.0], np.float32),
     "triangle_material": np.array([0, 3, 1, 1, 2, 0, 3], np.int32),
     "material_color": np.array([[0.1, 0.2, 0.3], [1, 0, -0.0], [0, 0, 0], [0.7, 0.6, 0.5]], np.float32),
@@ -108,6 +119,8 @@ VARIANTS: dict[str, list[dict[str, Any]]] = {  # stage -> further uniforms to ru
     "scatter": BLUR,
     "single_tap": [FAR],
     "scatter_inside": BLUR,
+    "scatter_on_surface": BLUR,
+    "scatter_inside_surface": BLUR,
 }
 
 
@@ -145,7 +158,7 @@ def random_inputs(rng: np.random.Generator, width: int, height: int) -> Inputs:
     """Every buffer and uniform that stages read."""
     picture = Picture(rng, width, height)
     buffers = {**geometry(picture), **shading(picture), **shadow_map(rng), **texture_space(picture), **colors(picture)}
-    return Inputs(width, height, buffers, UNIFORMS)
+    return Inputs(width, height, {**buffers, **lengths(picture)}, UNIFORMS)
 
 
 def geometry(picture: Picture) -> dict[str, np.ndarray]:
@@ -223,4 +236,15 @@ def colors(picture: Picture) -> dict[str, np.ndarray]:
         "uv": picture.mixed(rng.uniform(-2, 3, (*picture.shape, 2)), FAR_UVS),
         "albedo_map": rng.random((MAP_HEIGHT, MAP_WIDTH, 3)).astype(np.float32),
         "triangle": rng.integers(0, len(UNIFORMS["triangle_material"]), picture.shape).astype(np.int32),
+    }
+
+
+def lengths(picture: Picture) -> dict[str, np.ndarray]:
+    """What a pixel or texel spans, and how many of them an offset is."""
+    one, both = ((*picture.shape, *axes) for axes in ((), (2,)))
+    return {
+        "mm_per_pixel": picture.mixed(picture.rng.exponential(size=one), LENGTHS),
+        "pixels_per_offset": picture.mixed(picture.rng.exponential(size=one), SCALES),
+        "mm_per_texel": picture.mixed(picture.rng.exponential(size=both), [[0, 0], [1e30, 1e-30], [-1, 2]]),
+        "texels_per_offset": picture.mixed(picture.rng.exponential(size=both), [[0, 0], [4096, 1], [0.5, 3]]),
     }

@@ -141,6 +141,25 @@ def directly_lit_literal(position_world, light_position, stored_distance, bias_a
     return (length(minus(position_world, light_position)) - stored_distance <= bias_abs,)
 
 
+# Lengths
+
+
+def pixel_length(position_world, camera_clip_from_world, camera_pixel_size, mm_per_unit):
+    w = transform(camera_clip_from_world, [*position_world, F(1)])[3]
+    return ((w * camera_pixel_size) * mm_per_unit,)
+
+
+def texel_length(triangle, triangle_stretch, mm_per_unit):
+    return (scaled(triangle_stretch[triangle], mm_per_unit),)
+
+
+def offset_length(mm_per_pixel, mm_per_offset):
+    """Of one length, or of each along two axes."""
+    lengths = np.atleast_1d(mm_per_pixel)
+    along = [minimum(mm_per_offset / maximum(v, F(1e-30)), F(4096)) for v in lengths]
+    return (along if len(along) > 1 else along[0],)
+
+
 # Phong
 
 
@@ -236,9 +255,10 @@ def lit_transmit(
 
 
 def _taps(pixel, tap_offset, tap_weight, tap_count, pixel_scale):
-    """Per tap: lower left texel, fraction, weight of each channel."""
+    """Per tap: lower left texel, fraction, weight of each channel. pixel_scale: of both axes, or of each."""
+    across, up = np.broadcast_to(pixel_scale, 2)
     for k in range(tap_count):
-        shift, t = split([tap_offset[k][0] * pixel_scale, tap_offset[k][1] * pixel_scale])
+        shift, t = split([tap_offset[k][0] * across, tap_offset[k][1] * up])
         yield [pixel[0] + shift[0], pixel[1] + shift[1]], t, list(tap_weight[k])
 
 
@@ -267,6 +287,31 @@ def scatter_inside(lit, coverage, pixel, tap_offset, tap_weight, tap_count, pixe
     weights = _sum([weight for _, _, weight in taps])
     unblurred = lit[pixel[1], pixel[0]]
     return ([unblurred[k] if kept[k] == 0 else total[k] * (weights[k] / kept[k]) for k in range(3)],)
+
+
+def _on_surface(coverage, position_world, pixel, ahead):
+    """For every texel of the picture 1 where it shows the surface of the pixel, else 0."""
+    here = position_world[pixel[1], pixel[0]]
+    rows = [
+        [F(bool(covered) and abs(dot(minus(at, here), ahead)) <= 1) for covered, at in zip(*row, strict=True)]
+        for row in zip(coverage, position_world, strict=True)
+    ]
+    return np.array(rows, np.float32)
+
+
+def scatter_on_surface(lit, coverage, position_world, pixel, tap_offset, tap_weight, tap_count, pixel_scale, ahead):
+    there = _on_surface(coverage, position_world, pixel, ahead)
+    seen, centre = lit * there[..., None], list(lit[pixel[1], pixel[0]])
+    terms = []
+    for corner, t, weight in _taps(pixel, tap_offset, tap_weight, tap_count, pixel_scale):
+        away = F(1) - bilinear(there, corner, t)[0]
+        terms.append(times(added(bilinear(seen, corner, t), scaled(centre, away)), weight))
+    return (_sum(terms),)
+
+
+def scatter_inside_surface(lit, coverage, position_world, pixel, tap_offset, tap_weight, tap_count, pixel_scale, ahead):
+    there = _on_surface(coverage, position_world, pixel, ahead)
+    return scatter_inside(lit, there, pixel, tap_offset, tap_weight, tap_count, pixel_scale)
 
 
 # Composite

@@ -72,7 +72,8 @@ def run_naively(naive: Callable[..., tuple[Any, ...]], stage: Stage, inputs: Inp
     with np.errstate(all="ignore"):
         for row in range(inputs.height):
             for column in range(inputs.width):
-                arguments = {name: _plain(inputs, name, kind, row, column) for name, kind in stage.parameters.items()}
+                kinds = stage.parameters.items()
+                arguments = {own: _plain(inputs, stage.reads[own], kind, row, column) for own, kind in kinds}
                 for buffer, value in zip(outputs.values(), naive(**arguments), strict=True):
                     buffer[row, column] = value
     return outputs
@@ -81,8 +82,8 @@ def run_naively(naive: Callable[..., tuple[Any, ...]], stage: Stage, inputs: Inp
 def _empty(stage: Stage, inputs: Inputs) -> dict[str, np.ndarray]:
     """Buffers for the outputs, filled with a value that is seldom right."""
     return {
-        name: np.full(shape_of(kind, inputs.width, inputs.height), 77, dtype_of(kind))
-        for name, kind in stage.outputs.items()
+        stage.writes[own]: np.full(shape_of(kind, inputs.width, inputs.height), 77, dtype_of(kind))
+        for own, kind in stage.outputs.items()
     }
 
 

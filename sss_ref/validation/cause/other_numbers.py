@@ -16,6 +16,7 @@ NEVER_WRONG = ("light_count",)  # uniforms that nobody sets by hand
 MEANING = {  # uniform -> the ends of what it can mean; others may be any number
     **dict.fromkeys(("ambient", "diffuse", "specular", "bias_abs", "bias_slope", "d_min"), (0.0, np.inf)),
     **dict.fromkeys(("shininess", "x", "exponent", "light_texel_size", "pixel_scale"), (0.0, np.inf)),
+    **dict.fromkeys(("camera_pixel_size", "mm_per_unit", "mm_per_offset"), (0.0, np.inf)),
     **dict.fromkeys(("light_intensity", "light_color", "translucency_scale"), (0.0, np.inf)),
     **dict.fromkeys(("mesh_color", "background"), (0.0, 1.0)),
     "lookup_inset": (0.5, 1.5),

@@ -10,6 +10,7 @@ from fragments import VARIANTS, random_inputs
 from one_stage import Inputs, stages_by_module
 from one_stage import run as run_stage
 from random_processor import Processor
+from retyped_stages import RETYPED
 
 import sss_ref
 from sss_ref.errors import StageError
@@ -48,6 +49,7 @@ F = np.float32
 VULKAN, IEEE = PROFILES["vulkan"], PROFILES["ieee"]
 STAGES = [s for stages in stages_by_module().values() for s in stages if CLIP_POSITION not in s.outputs]
 CASES = [(s, variant) for s in STAGES for variant in [{}, *VARIANTS.get(s.name, [])]]
+CASES += [(s, {}) for s in RETYPED.values()]
 IDS = [f"{s.name}-{number}" for number, (s, _) in enumerate(CASES)]
 
 
@@ -57,13 +59,14 @@ def prepared(stage_, variant, width=24, height=17):
     inputs = Inputs(width, height, drawn.buffers, {**drawn.uniforms, **variant})
     rows, columns = np.indices((height, width)).reshape(2, -1)
     values = {}
-    for name, kind in stage_.parameters.items():
+    for own, kind in stage_.parameters.items():
+        name = stage_.reads[own]
         if name == PIXEL:
-            values[name] = ivec2(columns.astype(np.int32), rows.astype(np.int32))
+            values[own] = ivec2(columns.astype(np.int32), rows.astype(np.int32))
         elif name in inputs.buffers:
-            values[name] = buffer_value(kind, inputs.buffers[name], rows, columns)
+            values[own] = buffer_value(kind, inputs.buffers[name], rows, columns)
         else:
-            values[name] = uniform_value(kind, inputs.uniforms[name])
+            values[own] = uniform_value(kind, inputs.uniforms[name])
     return inputs, values
 
 
