@@ -8,7 +8,7 @@ Method `{method}`, preset `{preset}`, mesh `{mesh}`; every number is in the file
 
 | file | what it holds |
 |---|---|
-| `mesh/*.npy` | `position`, `normal`, `uv` float32, `triangles` int32: exactly what the vertex shaders read |
+| `mesh/*.npy` | what the vertex shaders read: `position`, `normal`, `uv`, any `tangent` float32; `triangles` int32 |
 | `mesh.glb` | the same mesh to look at; its v is measured from the top and rounded, so compare with the arrays |
 | `uniforms.json` | every uniform by the name in the shaders; matrices are row by row and act on column vectors |
 | `textures/*.npy` | pictures (H, W, 3) and arrays too long for a uniform, row 0 at the bottom |

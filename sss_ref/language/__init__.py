@@ -1,6 +1,6 @@
 """The shader language: GLSL's types and built-ins as Python, and `@stage`, which checks a contract."""
 
-from sss_ref.language.builtins import clamp, dot, fract, length, mix, normalize, reflect
+from sss_ref.language.builtins import clamp, cross, dot, fract, length, mix, normalize, reflect
 from sss_ref.language.intrinsics import (
     exp,
     exp2,
@@ -39,6 +39,7 @@ __all__ = [
     "bilinear_blend",
     "clamp",
     "constant",
+    "cross",
     "dot",
     "exp",
     "exp2",

@@ -30,6 +30,12 @@ def dot(a: vec3, b: vec3) -> float:
 
 
 @function
+def cross(a: vec3, b: vec3) -> vec3:
+    """Vector product, each component y*z' - z*y' (rule A3)."""
+    return vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x)
+
+
+@function
 def length(v: vec3) -> float:
     """Euclidean length sqrt(dot(v, v)) (rule A3)."""
     return sqrt(dot(v, v))

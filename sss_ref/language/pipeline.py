@@ -8,7 +8,7 @@ from sss_ref.language.names import Name
 from sss_ref.language.stage import Stage
 
 CLIP_POSITION = "clip_position"  # the one output of a vertex stage that is no varying: GLSL's gl_Position
-MESH_ATTRIBUTES = ("position", "normal", "uv")  # what a vertex stage may read of its vertex, in model space
+MESH_ATTRIBUTES = ("position", "normal", "uv", "tangent")  # what a vertex stage may read of its vertex, in model space
 REGISTERS = "registers"  # the group of all values that a pass computes on the way and no buffer keeps
 PIXEL = "pixel"  # the built-in input of every fragment: ivec2(column, row), row 0 at the bottom
 

@@ -1,6 +1,7 @@
 """A mesh as a folder of NPY arrays, bit for bit as the passes use it: what a bundle holds of its mesh.
 
 position, normal (V, 3) and uv (V, 2) float32; triangles (T, 3) and material (T,) int32; mesh.json says the rest.
+Under a normal map there is tangent (V, 4) float32 for other renderers; here it is computed anew from the other arrays.
 """
 
 import json

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from sss_ref.errors import MeshError
 from sss_ref.errors.wording import told
 from sss_ref.mesh.materials import Material
-from sss_ref.view.matrices import cross, dot, normal_matrix, transformed
+from sss_ref.view.matrices import mirrors, normal_matrix, transformed
 
 FloatArray = NDArray[np.float32]
 
@@ -77,8 +77,7 @@ def _orientation(where: object, transform: NDArray[np.float64]) -> tuple[bool, N
         matrix[:3, :3] = normal_matrix(transform)
     if not (np.isfinite(transform).all() and np.isfinite(matrix).all()):
         raise refused(where, "transforms that can be inverted", "one that cannot", "apply them before exporting")
-    x, y, z = transform[:3, :3]
-    return dot(x, cross(y, z)) < 0, matrix
+    return mirrors(transform), matrix
 
 
 def finite32(where: object, points: NDArray[np.float64], what: str) -> FloatArray:

@@ -27,12 +27,14 @@ class Mesh:
     shifted: int = 0  # triangles whose UVs were moved into the unit square
     charts: int = 0  # of UVs that `unwrap` made; 0 for the file's own
     notes: tuple[str, ...] = ()  # what of the file was changed or not used, and why
+    tangents: FloatArray | None = None  # (V, 4), see mesh.tangents; None for a mesh without normal map
 
     @property
     def attributes(self) -> dict[str, FloatArray]:
         """What a vertex stage reads of each vertex, by its names, (V, C); a mesh without UVs has uv 0."""
         uv = np.zeros((len(self.positions), 2), np.float32) if self.uvs is None else self.uvs
-        return {"position": self.positions, "normal": self.normals, "uv": uv}
+        tangents = {} if self.tangents is None else {"tangent": self.tangents}
+        return {"position": self.positions, "normal": self.normals, "uv": uv, **tangents}
 
     def hashes(self) -> dict[str, str]:
         """Name of each array -> its `array_hash`."""

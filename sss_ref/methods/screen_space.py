@@ -4,7 +4,7 @@ from sss_ref.language import Stage
 from sss_ref.language.names import tap_name
 from sss_ref.language.pipeline import Method, Pass, ScreenDraw
 from sss_ref.methods.per_light import Lights
-from sss_ref.methods.shared import CAMERA_VIEW, NEUTRAL, behind_the_surface, shadow_maps
+from sss_ref.methods.shared import NEUTRAL, behind_the_surface, camera_view, shadow_maps
 from sss_ref.passes import blur, blur_on_surface, composite, lengths, translucency
 from sss_ref.scene_file.settings import SceneFile
 
@@ -36,7 +36,7 @@ def screen_space(settings: SceneFile) -> Method:
         "screen_space",
         passes=(
             *shadow_maps(lights),
-            Pass("camera", "camera", CAMERA_VIEW, camera),
+            Pass("camera", "camera", camera_view(settings), camera),
             Pass("blur", "camera", stencil, (blurred.bound(pixel_scale=scale),)),
             Pass("taps", "camera", stencil, single_taps(settings, scale), on_demand=True),
             Pass("composite", "camera", ScreenDraw(), (composite.over_background if masked else composite.glow,)),

@@ -1,12 +1,15 @@
 """What both methods share: the light's views, the camera's view, and the stages up to Phong and translucency."""
 
+from dataclasses import replace
+
 from sss_ref.language import Stage
 from sss_ref.language.names import Name
 from sss_ref.language.pipeline import MeshDraw, Pass
 from sss_ref.methods.per_light import Lights, of_light
 from sss_ref.passes import phong, shadow_map, translucency
 from sss_ref.passes.camera import albedo_by_material, albedo_constant, albedo_textured, surface
-from sss_ref.passes.vertex import mesh_vertex
+from sss_ref.passes.surface_detail import normal_mapped, specular_mapped
+from sss_ref.passes.vertex import mesh_vertex, tangent_vertex
 from sss_ref.scene_file.settings import SceneFile
 
 ALBEDO = {"constant": albedo_constant, "texture": albedo_textured, "material": albedo_by_material}
@@ -24,12 +27,40 @@ NEUTRAL = "translucency_neutral"  # the uniform with the T that leaves the colou
 LIGHT_VIEW = MeshDraw(mesh_vertex.bound(clip_from_model="light_clip_from_model"), "light_triangle", "light_depth")
 CAMERA_VIEW = MeshDraw(mesh_vertex.bound(clip_from_model="camera_clip_from_model"), "triangle", "depth", "coverage")
 
+UNMAPPED = "unmapped_normal_world"  # the surface's own normal, where a normal map bends the one that light falls on
+SHINE = "mapped_specular"  # the weight of the highlight, where a map scales it
+
 
 def shadow_maps(lights: Lights, *more: Stage) -> tuple[Pass, ...]:
     """The shadow map of every light; `more`: what it stores beside the distance."""
     stages = (shadow_map.distance_to_light, *more)
     named = [(light, str(Name("shadow_map", light))) for light in lights.numbers]
     return tuple(Pass(name, "shadow_map", LIGHT_VIEW, stages).renamed(of_light(light)) for light, name in named)
+
+
+def camera_view(settings: SceneFile) -> MeshDraw:
+    """What the camera sees, with tangents under a normal map."""
+    with_tangents = tangent_vertex.bound(clip_from_model="camera_clip_from_model")
+    return replace(CAMERA_VIEW, vertex=with_tangents) if settings.mesh.normal_map else CAMERA_VIEW
+
+
+def surface_stages(settings: SceneFile) -> tuple[Stage, ...]:
+    """The surface; under a normal map its own normal has another name."""
+    return (surface.bound(normal_world=UNMAPPED), normal_mapped) if settings.mesh.normal_map else (surface,)
+
+
+def shining(settings: SceneFile, *stages: Stage) -> tuple[Stage, ...]:
+    """Stages that take the weight of the highlight from the map, if there is one."""
+    if not settings.mesh.specular_map:
+        return stages
+    return tuple(stage.bound(specular=SHINE) if "specular" in stage.reads else stage for stage in stages)
+
+
+def shadow_test(settings: SceneFile) -> Stage:
+    """Whether the light reaches a point: a question of the surface itself, not of the normal of its map."""
+    stage = SHADOW_TEST[settings.shadow_map.test]
+    mapped = settings.mesh.normal_map and "normal_world" in stage.reads
+    return stage.bound(normal_world=UNMAPPED) if mapped else stage
 
 
 def light_at_the_surface(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
@@ -39,7 +70,7 @@ def light_at_the_surface(settings: SceneFile, lights: Lights) -> tuple[Stage, ..
         own = (
             SHADOW_LOOKUP[settings.shadow_map.filter],
             shadow_map.back_point,
-            SHADOW_TEST[settings.shadow_map.test],
+            shadow_test(settings),
             FALLOFF[falloff],
         )
         stages += [stage.renamed(of_light(light)) for stage in own]
@@ -49,10 +80,11 @@ def light_at_the_surface(settings: SceneFile, lights: Lights) -> tuple[Stage, ..
 def behind_the_surface(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
     """The camera pass up to what both methods build on: surface, shadow, Phong, translucency."""
     return (
-        surface,
+        *surface_stages(settings),
         ALBEDO[settings.mesh.albedo],
+        *((specular_mapped,) if settings.mesh.specular_map else ()),
         *light_at_the_surface(settings, lights),
-        *lights.each(phong.phong_shading),
+        *shining(settings, *lights.each(phong.phong_shading)),
         *lights.summed("phong"),
         *lights.each(FORM[settings.translucency.form]),
     )

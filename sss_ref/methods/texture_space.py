@@ -6,10 +6,17 @@ from sss_ref.language import Stage, Texture, vec2
 from sss_ref.language.names import TEXEL, Name
 from sss_ref.language.pipeline import MeshDraw, Method, Pass, ScreenDraw
 from sss_ref.methods.per_light import Lights, of_light
-from sss_ref.methods.shared import CAMERA_VIEW, NEUTRAL, behind_the_surface, light_at_the_surface, shadow_maps
+from sss_ref.methods.shared import (
+    NEUTRAL,
+    behind_the_surface,
+    camera_view,
+    light_at_the_surface,
+    shadow_maps,
+    shining,
+    surface_stages,
+)
 from sss_ref.passes import blur, irradiance, lengths, shadow_map, texture_image
-from sss_ref.passes.camera import surface
-from sss_ref.passes.vertex import layout_vertex
+from sss_ref.passes.vertex import layout_vertex, tangent_layout_vertex
 from sss_ref.scene_file.settings import SceneFile
 
 MODE = {
@@ -24,7 +31,7 @@ USED = {  # how T joins the irradiance, and the T that changes nothing
 BLUR = {"none": blur.scatter, "output": blur.scatter, "taps": blur.scatter_inside}
 
 LAYOUT = MeshDraw(layout_vertex, coverage="irradiance_mask", layout=True)
-LAYOUT_IN_MM = replace(LAYOUT, triangle="texel_triangle")
+TANGENT_LAYOUT = replace(LAYOUT, vertex=tangent_layout_vertex)
 
 LENGTHS_THERE = (  # of a texel and of an offset, along both axes of the layout
     lengths.texel_length.bound(triangle="texel_triangle"),
@@ -55,19 +62,25 @@ def texture_space(settings: SceneFile) -> Method:
             *shadow_maps(lights, shadow_map.uv_at_light),
             *laid_out(settings, irradiance_stages(settings, lights)),
             *(each for light in lights.numbers for each in scattered(settings, light)),
-            Pass("camera", "camera", CAMERA_VIEW, camera, registers=("gloss",)),
+            Pass("camera", "camera", camera_view(settings), camera, registers=("gloss",)),
         ),
         constants={NEUTRAL: neutral},
     )
 
 
+def layout(settings: SceneFile) -> MeshDraw:
+    """The mesh laid out flat, with tangents under a normal map."""
+    return TANGENT_LAYOUT if settings.mesh.normal_map else LAYOUT
+
+
 def laid_out(settings: SceneFile, stages: tuple[Stage, ...]) -> tuple[Pass, ...]:
     """The irradiance map; where the kernel is in mm also what an offset is at each texel, beside the charts too."""
     if settings.blur.unit == "pixel":
-        return (Pass("irradiance_map", "irradiance_map", LAYOUT, stages),)
+        return (Pass("irradiance_map", "irradiance_map", layout(settings), stages),)
     feedback = {"texels_per_offset": "texels_per_offset_filled", "irradiance_mask": "texels_per_offset_mask"}
+    in_mm = replace(layout(settings), triangle="texel_triangle")
     return (
-        Pass("irradiance_map", "irradiance_map", LAYOUT_IN_MM, (*LENGTHS_THERE, *stages)),
+        Pass("irradiance_map", "irradiance_map", in_mm, (*LENGTHS_THERE, *stages)),
         Pass(
             "offset_fill",
             "irradiance_map",
@@ -81,7 +94,11 @@ def laid_out(settings: SceneFile, stages: tuple[Stage, ...]) -> tuple[Pass, ...]
 
 def irradiance_stages(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
     """The irradiance of every light at a texel's point of the surface."""
-    return in_texels(surface, *light_at_the_surface(settings, lights), *lights.each(MODE[settings.irradiance_map.mode]))
+    return in_texels(
+        *surface_stages(settings),
+        *light_at_the_surface(settings, lights),
+        *lights.each(MODE[settings.irradiance_map.mode]),
+    )
 
 
 def in_texels(*stages: Stage) -> tuple[Stage, ...]:
@@ -116,5 +133,5 @@ def image(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
     """The picture from irradiance and Phong colour, or from irradiance, albedo and highlights."""
     if settings.irradiance_map.image == "sqrt":
         return (texture_image.image_sqrt,)
-    gloss = (*lights.each(texture_image.gloss_where_lit), *lights.summed("gloss"))
+    gloss = (*shining(settings, *lights.each(texture_image.gloss_where_lit)), *lights.summed("gloss"))
     return (*gloss, texture_image.image_product)

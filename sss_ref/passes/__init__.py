@@ -3,16 +3,17 @@
 1. `vertex`: where the mesh lies in the light's picture, the camera's, and the UV layout.
 2. `shadow_map`: how far the light travels to the first surface; where it entered the body and how thick that is there.
 3. `camera`: the surface that a pixel shows.
-4. `phong`: how that surface reflects the light.
-5. `translucency`: how much light comes through the body, and how it joins what is reflected.
-6. `blur`: how light that scatters below the surface leaves beside where it entered (Table 1). Where its offsets are in
+4. `surface_detail`: the same surface with finer normals and a highlight of its own, from pictures over it.
+5. `phong`: how that surface reflects the light.
+6. `translucency`: how much light comes through the body, and how it joins what is reflected.
+7. `blur`: how light that scatters below the surface leaves beside where it entered (Table 1). Where its offsets are in
    mm, `lengths` says what these are in pixels, and `blur_on_surface` keeps it from what lies far behind.
-7. `composite`: the picture.
+8. `composite`: the picture.
 
 Texture space (paper 2.2, 3.3) has two files more, and what it shares it takes from above:
 
-8. `irradiance`: the light that arrives, laid out flat by UV.
-9. `texture_image`: the picture from the blurred layout.
+9. `irradiance`: the light that arrives, laid out flat by UV.
+10. `texture_image`: the picture from the blurred layout.
 
 `light_sum` adds several lights. Two tables name what passes from stage to stage: `buffers`, what is written, and
 `light_uniforms`, what each light has for itself. Which stages follow each other is said in `sss_ref.methods`.

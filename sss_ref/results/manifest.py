@@ -59,6 +59,8 @@ class SceneRecord(Record):
     """Absolute path of the mesh when the scene was rendered."""
     texture_file: str | None = None
     """The same of the colour texture; None for a scene without."""
+    other_files: dict[str, str] = {}
+    """Key -> the same of any other picture: mesh.normal_map."""
     settings: dict[str, Any]
 
 
@@ -153,10 +155,12 @@ def _scene_record(scene: Scene) -> SceneRecord:
     """The scene, and where its loader found the mesh and the texture; the mesh as written if it is gone since."""
     named, texture = scene.settings.mesh.path, scene.settings.mesh.texture
     folder = folder_of(scene.source)
+    others = {key: path for key, path in scene.settings.mesh.pictures.items() if key != "texture"}
     return SceneRecord(
         source=scene.source,
         mesh_file=str((find_mesh(named, folder) or Path(named)).absolute()),
         texture_file=None if texture is None else str((folder / texture).absolute()),
+        other_files={f"mesh.{key}": str((folder / path).absolute()) for key, path in others.items()},
         settings=scene.settings.model_dump(mode="json"),
     )
 

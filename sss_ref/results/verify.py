@@ -76,9 +76,10 @@ def _recorded_scene(manifest: Manifest, folder: Path) -> Scene:
         find_mesh(path, beside) for path in (recorded.mesh_file, named.get("path", ""), Path(recorded.mesh_file).name)
     )
     files = {"mesh.path": next((str(path) for path in meshes if path), recorded.mesh_file)}
-    if recorded.texture_file is not None:
-        textures = (Path(recorded.texture_file), beside / Path(recorded.texture_file).name)
-        files["mesh.texture"] = next((str(path) for path in textures if path.is_file()), recorded.texture_file)
+    texture = {} if recorded.texture_file is None else {"mesh.texture": recorded.texture_file}
+    for key, was in {**texture, **recorded.other_files}.items():
+        places = (Path(was), beside / Path(was).name)
+        files[key] = next((str(path) for path in places if path.is_file()), was)
     return load_scene(recorded.settings, **files)
 
 

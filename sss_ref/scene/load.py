@@ -3,27 +3,32 @@
 import os
 from collections.abc import Callable, Mapping
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from sss_ref.errors import SceneError
 from sss_ref.mesh.mesh_file import load_mesh
+from sss_ref.mesh.tangents import with_tangents
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.mesh.unwrap import unwrapped
 from sss_ref.scene.albedo import albedo_of, albedo_warnings
 from sss_ref.scene.memory import check_memory
 from sss_ref.scene.placed_mesh import PlacedMesh
 from sss_ref.scene.scene import Scene
+from sss_ref.scene.surface_maps import normal_map_of, specular_map_of
 from sss_ref.scene.surprises import surprises
 from sss_ref.scene_file.quantities import FLOAT32_OVERFLOW
 from sss_ref.scene_file.reading import Document, opened, validated
-from sss_ref.scene_file.settings import SceneFile, ShadowMap
+from sss_ref.scene_file.settings import MeshSettings, SceneFile, ShadowMap
 from sss_ref.scene_file.shipped import find_mesh
 from sss_ref.scene_file.viewpoints import Camera, LightSettings
 from sss_ref.view.light_fit import fitted
 from sss_ref.view.matrices import placement
 from sss_ref.view.views import Light, View, camera_view, light_of
+
+MAPS = {"normal_map": normal_map_of, "specular_map": specular_map_of}  # key of [mesh] -> what reads its picture
 
 
 def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any], /, **overrides: Any) -> Scene:
@@ -36,25 +41,34 @@ def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any], /, **overrides
     """
     document = opened(scene)
     settings = validated(document, overrides, check_memory)
-    path = find_mesh(settings.mesh.path, document.folder)
+    return _assembled(settings, document, _mesh_of(settings.mesh, document.folder))
+
+
+def _mesh_of(settings: MeshSettings, folder: Path) -> Mesh:
+    """The mesh that a scene in a folder asks for, with UVs and tangents where it asks for them."""
+    path = find_mesh(settings.path, folder)
     assert path is not None  # validation found it
-    mesh = load_mesh(path)
-    return _assembled(settings, document, unwrapped(mesh) if settings.mesh.unwrap else mesh)
+    mesh = unwrapped(load_mesh(path)) if settings.unwrap else load_mesh(path)
+    return with_tangents(mesh) if settings.normal_map and mesh.uvs is not None else mesh
 
 
 def _assembled(settings: SceneFile, document: Document, mesh: Mesh) -> Scene:
     """The scene with its lights fitted to the mesh; raises one SceneError for all that does not fit together."""
     place = settings.mesh
     surface = PlacedMesh(mesh, placement(*map(np.array, (place.scale, place.rotate_degrees, place.translate))))
+    color = f"mesh.{'color' if place.texture is None else 'texture'}"
     steps: dict[str, Callable[[], Any]] = {
         "mesh": partial(_check_extent, surface),
         "method": partial(_check_uvs, settings.method, mesh),
-        f"mesh.{'color' if place.texture is None else 'texture'}": partial(albedo_of, place, mesh, document.folder),
+        color: partial(albedo_of, place, mesh, document.folder),
         "camera": partial(_placed_camera, settings.camera, surface),
     }
+    for key in sorted(set(MAPS) & set(place.pictures)):
+        steps[f"mesh.{key}"] = partial(MAPS[key], mesh, document.folder / place.pictures[key])
     for number, light in enumerate(settings.lights):
         steps[f"lights[{number}]"] = partial(_placed_light, light, settings.shadow_map, surface)
-    _, _, albedo, camera, *fits = _gathered(document.source, steps)
+    found = _gathered(document.source, steps)
+    fits = [found[f"lights[{number}]"] for number in range(len(settings.lights))]
     resolved = settings.model_copy(update={"lights": tuple(light for light, _ in fits)})
     lights = tuple(light for _, light in fits)
     return Scene(
@@ -62,19 +76,20 @@ def _assembled(settings: SceneFile, document: Document, mesh: Mesh) -> Scene:
         document.source,
         mesh,
         surface.world_from_model,
-        camera,
+        found["camera"],
         lights,
-        albedo,
-        (*albedo_warnings(place, mesh), *surprises(resolved, surface, camera, lights)),
+        found[color],
+        (*albedo_warnings(place, mesh), *surprises(resolved, surface, found["camera"], lights)),
+        {key: found[f"mesh.{key}"] for key in MAPS if f"mesh.{key}" in found},
     )
 
 
-def _gathered(source: str, steps: Mapping[str, Callable[[], Any]]) -> list[Any]:
-    """The result of every step, or one SceneError with the problems of all that failed, each under its key."""
-    results, problems = [], []
+def _gathered(source: str, steps: Mapping[str, Callable[[], Any]]) -> dict[str, Any]:
+    """Key -> result of its step, or one SceneError with the problems of all that failed, each under its key."""
+    results, problems = {}, []
     for key, step in steps.items():
         try:
-            results.append(step())
+            results[key] = step()
         except SceneError as error:
             problems.append(f"{source}: {key}: {error}")
     if problems:

@@ -30,19 +30,20 @@ def bytes_per_pixel(tables: Mapping[str, Any]) -> Mapping[str, int]:
     return counted
 
 
-def check_memory(tables: Mapping[str, Any], texture_size: tuple[int, int]) -> None:
-    """Raise an error under the key that takes most if all buffers and the texture need more than MEMORY_LIMIT.
+def check_memory(tables: Mapping[str, Any], pictures: Mapping[KeyPath, tuple[int, int]]) -> None:
+    """Raise an error under the key that takes most if all buffers and pictures need more than MEMORY_LIMIT.
 
     tables: key of the scene file -> validated value; a table that is wrong, and so not there, counts nothing.
-    texture_size: width and height in texels.
+    pictures: key -> width and height in texels.
     """
     lights = len(tables.get("lights", "1"))
     counted = bytes_per_pixel(tables)
     sized = {name: tables[name] for name in counted if name in tables}
     needed: dict[KeyPath, int] = {(name,): counted[name] * each.width * each.height for name, each in sized.items()}
-    needed["mesh", "texture"] = TEXTURE_BYTES * texture_size[0] * texture_size[1]
-    total, largest = sum(needed.values()), max(needed, key=lambda key: needed[key])
+    needed |= {key: TEXTURE_BYTES * width * height for key, (width, height) in pictures.items()}
+    total = sum(needed.values())
     if total > MEMORY_LIMIT:
+        largest = max(needed, key=lambda key: needed[key])
         fewer = " or use fewer lights" if lights > 1 else ""
         remedy = "scale the picture down" if len(largest) > 1 else f"make width and height smaller{fewer}"
         came = f"{_gibibytes(total)}, {_gibibytes(needed[largest])} of them here"
@@ -58,7 +59,7 @@ def _plainest(tables: Mapping[str, Any]) -> settings.SceneFile:
     return settings.SceneFile.model_construct(
         method=tables.get("method", "screen_space"),
         preset=chosen,
-        mesh=settings.MeshSettings.model_construct(path=""),
+        mesh=tables.get("mesh", settings.MeshSettings.model_construct(path="")),
         lights=tables.get("lights", (viewpoints.LightSettings.model_construct(),)),
         translucency=settings.TranslucencySettings.model_construct(**preset["translucency"]),
         blur=settings.Blur.model_construct(**preset["blur"]),

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from sss_ref.language import Stage
@@ -34,6 +35,7 @@ class Scene:
     lights: tuple[Light, ...]
     albedo: Mapping[str, NDArray[Any]]  # the uniforms of the surface's colour, see albedo_of
     warnings: tuple[str, ...]  # what is drawn all the same, but may surprise
+    maps: Mapping[str, NDArray[np.float32]] = field(default_factory=dict)  # pictures of its detail, see maps_of
     own_stages: Mapping[str, Stage] = field(default_factory=dict)  # name of a stage -> the user's in its place
     own_uniforms: Mapping[str, Any] = field(default_factory=dict)  # what those read: name -> float32
 
@@ -47,7 +49,8 @@ class Scene:
         """Every uniform of every stage by name, float32 or int: scalars, or arrays (N,), (N, N), (N, C), (H, W, C)."""
         own = uniforms_of(self.settings, self.world_from_model, self.camera, self.lights, self.method.constants)
         points = transformed(self.world_from_model, self.mesh.positions)
-        return {**own, **stretch(self.settings, points, self.mesh), **self.albedo, **self.own_uniforms}
+        in_mm = stretch(self.settings, points, self.mesh)
+        return {**own, **in_mm, **self.albedo, **self.maps, **self.own_uniforms}
 
     @cached_property
     def forms(self) -> Mapping[str, Form]:
@@ -77,4 +80,4 @@ class Scene:
     def input_hashes(self) -> dict[str, str]:
         """Name of everything that was read from a mesh or texture file -> its `array_hash` after decoding (rule A5)."""
         colors = {name: self.albedo[name] for name in ("albedo_map", "material_color") if name in self.albedo}
-        return self.mesh.hashes() | {name: array_hash(name, array) for name, array in colors.items()}
+        return self.mesh.hashes() | {name: array_hash(name, array) for name, array in {**colors, **self.maps}.items()}

@@ -10,8 +10,8 @@ from sss_ref.language.names import Name, tap_name
 from sss_ref.mesh.stretch import stretch_of
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.passes.light_uniforms import LightUniforms
-from sss_ref.scene_file.settings import SceneFile
-from sss_ref.view.matrices import Matrix, Vector, normal_matrix
+from sss_ref.scene_file.settings import MeshSettings, SceneFile
+from sss_ref.view.matrices import Matrix, Vector, mirrors, normal_matrix
 from sss_ref.view.views import Light, View
 
 SHORTEST_REACH = 1e-30  # scene units
@@ -33,6 +33,8 @@ def uniforms_of(
     values = {
         "world_from_model": world_from_model,
         "normal_from_model": normal_matrix(world_from_model),
+        "handedness": -1.0 if mirrors(world_from_model) else 1.0,
+        "normal_scale": _normal_scale(settings.mesh),
         "camera_clip_from_model": camera.clip_from(world_from_model),
         "camera_position": camera.eye,
         "camera_clip_from_world": camera.clip_from(np.eye(4)),
@@ -83,6 +85,12 @@ def stretch(settings: SceneFile, points: NDArray[np.float64], mesh: Mesh) -> dic
     assert mesh.uvs is not None  # the loader has checked
     size = settings.irradiance_map.width, settings.irradiance_map.height
     return {"triangle_stretch": (stretch_of(points, mesh.uvs, mesh.triangles) / size).astype(np.float32)}
+
+
+def _normal_scale(mesh: MeshSettings) -> tuple[float, float]:
+    """The factors on x and y of a normal map."""
+    up = 1.0 if mesh.normal_map_green == "up" else -1.0
+    return mesh.normal_strength, up * mesh.normal_strength
 
 
 def _of_lights(settings: SceneFile, world_from_model: Matrix, lights: Sequence[Light]) -> dict[str, Any]:

@@ -17,6 +17,7 @@ from sss_ref.scene_file.shipped import scene_names
 FILE_NAME = "scene.json"
 SCENE_FORMAT: Final = "sss_ref scene 1"
 MESH, PICTURE = "mesh", "textures/albedo.png"  # where a bundle holds what its scene names
+MAPS = ("normal_map", "specular_map")  # pictures that it holds as arrays, as their uniforms
 
 
 class SceneOfBundle(BaseModel):
@@ -35,7 +36,8 @@ def bundle_record(settings: SceneFile, source: str, own_stages: Iterable[str]) -
     """What scene.json says of a scene; its mesh and its picture are those that lie in the bundle."""
     mesh = {"path": MESH, "unwrap": False}
     texture = {} if settings.mesh.texture is None else {"texture": PICTURE}
-    held = settings.model_copy(update={"mesh": settings.mesh.model_copy(update=mesh | texture)})
+    maps = {key: f"textures/{key}.npy" for key in MAPS if key in settings.mesh.pictures}
+    held = settings.model_copy(update={"mesh": settings.mesh.model_copy(update=mesh | texture | maps)})
     return SceneOfBundle(
         format=SCENE_FORMAT,
         rules_version=RULES_VERSION,

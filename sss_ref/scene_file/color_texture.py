@@ -24,24 +24,35 @@ def load_texture(path: Path) -> FloatArray:
     """The texels of a PNG or JPEG file: linear RGB float32 (H, W, 3), row 0 at the bottom.
 
     Read as sRGB with 8 bits a channel, whatever profile is in the file. Grey becomes RGB; alpha is not used. Raises
-    SceneError for anything else, for a side of more than 16384 texels, and for what Pillow takes for a bomb (more
-    than 178 million texels).
+    SceneError as `codes_of` does.
+    """
+    return srgb_decoded()[codes_of(path)]
+
+
+def codes_of(path: Path) -> NDArray[np.uint8]:
+    """The codes of a PNG or JPEG file of 8 bits a channel, uint8 (H, W, 3), row 0 at the bottom.
+
+    Raises SceneError for anything else, for a side of more than 16384 texels, and for what Pillow takes for a bomb
+    (more than 178 million texels).
     """
     try:
         with _opened(path) as (image, depth):
             _check(image, depth)
-            codes: NDArray[np.uint8] = np.asarray(image.convert("RGB"))
+            codes: NDArray[np.uint8] = np.asarray(image.convert("RGB"))[::-1]
     except SceneError:
         raise
     except Exception as error:  # whatever a broken picture makes Pillow raise
         reason = f"one that cannot be read ({type(error).__name__}: {error})".splitlines()[0]
         raise SceneError(f"expected a PNG or JPEG picture, got {reason}; export it again") from None
-    return srgb_decoded()[codes[::-1]]
+    return codes
 
 
 def texture_size(path: Path) -> tuple[int, int]:
-    """Width and height that a picture declares; 0, 0 where it declares none, which `load_texture` will refuse."""
+    """Width and height that a picture, or an array in its place, declares; 0, 0 for none, which is refused later."""
     try:
+        if path.suffix == ".npy":
+            height, width, _ = np.load(path, mmap_mode="r", allow_pickle=False).shape
+            return width, height
         with _opened(path) as (image, _):
             width, height = image.size
             return width, height

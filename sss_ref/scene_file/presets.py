@@ -45,6 +45,8 @@ PRESETS: dict[str, dict[str, Any]] = {"paper": PAPER, "robust": ROBUST, "publish
 
 # Key -> its value in `published`, whose passes are fixed: there nothing else is possible.
 FIXED: dict[str, Any] = {
+    "mesh.normal_map": None,
+    "mesh.specular_map": None,
     "shadow_map.filter": "bilinear",
     "shadow_map.test": "exact",
     "shadow_map.encoding": "unorm8",
@@ -80,7 +82,7 @@ def misfits(data: Mapping[str, Any]) -> Iterator[tuple[KeyPath, str]]:
         path = tuple(key.split("."))
         value = _at(data, path)
         if name == "published" and value != fixed:
-            yield path, _misfit(path, shown(fixed), value)
+            yield path, _misfit(path, "nothing" if fixed is None else shown(fixed), value)
         elif name != "published" and key in ONLY_PUBLISHED and value == fixed:
             yield path, told(key, 'another value without preset "published"', shown(value), "choose one, or the preset")
     if name == "published":

@@ -68,11 +68,11 @@ def folder_of(source: str) -> Path:
 def validated(
     document: Document,
     overrides: Mapping[str, Any],
-    check_memory: Callable[[Mapping[str, Any], tuple[int, int]], None],
+    check_memory: Callable[[Mapping[str, Any], Mapping[KeyPath, tuple[int, int]]], None],
 ) -> settings.SceneFile:
     """The settings with every key filled but those that are fitted to the mesh. Raises SceneError.
 
-    check_memory: is handed the tables that are right and the texture's size; raises where they need too much.
+    check_memory: is handed the tables that are right and the sizes of the pictures; raises where they need too much.
     """
     given, misplaced = overridden(document.data, overrides)
     data, paths = filled(given), override_paths(overrides)

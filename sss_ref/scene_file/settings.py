@@ -57,6 +57,16 @@ class MeshSettings(Table):
     """Albedo, linear RGB; "material": of each triangle the colour of its material in the mesh file."""
     texture: str | None = None
     """Albedo from a PNG or JPEG file, sRGB, relative to the scene file. It replaces color and repeats beyond 0..1."""
+    normal_map: str | None = None
+    """Finer normals from a PNG or JPEG file, linear, in tangent space, relative to the scene file; beyond 0..1 it
+    repeats."""
+    normal_map_green: Literal["up", "down"] = "up"
+    """Where the map's green points: up along v, as OpenGL and glTF have it, or down, as Direct3D has it."""
+    normal_strength: NonNegative = 1.0
+    """Factor on how far the map bends the normal."""
+    specular_map: str | None = None
+    """Factor on the highlight from a grey PNG or JPEG file, linear, relative to the scene file; beyond 0..1 it
+    repeats."""
     unwrap: bool = False
     """Compute UVs where the mesh has none; needs the extra `unwrap`."""
 
@@ -74,12 +84,18 @@ class MeshSettings(Table):
             raise unmet("a mesh file or a shipped mesh's name", f"check the path (shipped: {', '.join(mesh_names())})")
         return path
 
-    @field_validator("texture")
+    @property
+    def pictures(self) -> dict[str, str]:
+        """Key -> file of every picture that lies over the surface."""
+        named = {"texture": self.texture, "normal_map": self.normal_map, "specular_map": self.specular_map}
+        return {key: path for key, path in named.items() if path is not None}
+
+    @field_validator("texture", "normal_map", "specular_map")
     @classmethod
-    def _texture_exists(cls, texture: str | None, info: ValidationInfo) -> str | None:
-        if texture is not None and info.context and not os.path.isfile(info.context["folder"] / texture):
+    def _picture_exists(cls, picture: str | None, info: ValidationInfo) -> str | None:
+        if picture is not None and info.context and not os.path.isfile(info.context["folder"] / picture):
             raise unmet("a PNG or JPEG file", "check the path, which starts at the scene file")
-        return texture
+        return picture
 
 
 class ShadowMap(Table):
@@ -241,9 +257,9 @@ class SceneFile(Table):
     def _fits_memory(cls, output: Output, info: ValidationInfo) -> Output:
         """Let `context["check_memory"]` judge the tables that are right, since only the passes know their buffers."""
         if info.context:
-            texture = info.data["mesh"].texture if "mesh" in info.data else None
-            size = texture_size(info.context["folder"] / texture) if texture else (0, 0)
-            info.context["check_memory"](info.data, size)
+            pictures = info.data["mesh"].pictures if "mesh" in info.data else {}
+            sizes = {("mesh", key): texture_size(info.context["folder"] / path) for key, path in pictures.items()}
+            info.context["check_memory"](info.data, sizes)
         return output
 
 

@@ -119,6 +119,12 @@ def normal_matrix(matrix: Matrix) -> Matrix:
     return cofactors / dot(x, cofactors[0])
 
 
+def mirrors(matrix: Matrix) -> bool:
+    """Whether a 4 x 4 matrix turns left into right: the determinant of its upper part is below 0."""
+    x, y, z = matrix[:3, :3]
+    return dot(x, cross(y, z)) < 0
+
+
 def _unit(v: Vector) -> Vector:
     size = length(v)
     if size == 0:

@@ -5,6 +5,7 @@ import shutil
 
 import numpy as np
 import pytest
+from detailed import bumpy
 from PIL import Image
 from scenes import around, sphere, written
 
@@ -52,6 +53,7 @@ SCENES = {
     "textured": textured,
     "with_materials": with_materials,
     "unwrapped": unwrapped,
+    "bumpy": bumpy,
 }
 
 

@@ -29,6 +29,8 @@ CHOICES = {
         for mask in alternatives(settings.Blur, "mask")
         for follow in (False, True)
     ),
+    "mesh.normal_map": ("any.png",),
+    "mesh.specular_map": ("any.png",),
     "lights": ([{"position": [0.0, 0.0, 5.0]}] * 2, [{"position": [0.0, 0.0, 5.0], "falloff": "inverse_square"}]),
     "irradiance_map.mode": alternatives(settings.IrradianceMap, "mode"),
     "irradiance_map.image": alternatives(settings.IrradianceMap, "image"),

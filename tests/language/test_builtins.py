@@ -13,6 +13,7 @@ from sss_ref.interpret import arrays
 from sss_ref.interpret.kernel import loops as kernel
 from sss_ref.language import (
     clamp,
+    cross,
     dot,
     exp,
     exp2,
@@ -110,6 +111,7 @@ def naive_integers(i, t):
 
 class Vectors(NamedTuple):
     product: float
+    across: vec3
     magnitude: float
     unit: vec3
     mirrored: vec3
@@ -126,6 +128,7 @@ def vector_built_ins(a: vec3, b: vec3, t: float, flag: bool) -> Vectors:
     """Those of vectors; a scalar beside a vector serves every component."""
     return Vectors(
         dot(a, b),
+        cross(a, b),
         length(a),
         normalize(a),
         reflect(a, b),
@@ -141,6 +144,7 @@ def vector_built_ins(a: vec3, b: vec3, t: float, flag: bool) -> Vectors:
 def naive_vectors(a, b, t, flag):
     return (
         naive.dot(a, b),
+        naive.cross(a, b),
         naive.length(a),
         naive.normalize(a),
         naive.reflect(a, b),
@@ -215,6 +219,7 @@ def test_vector_built_ins_by_hand():
     a, b = vec3(F(1), F(2), F(2)), vec3(F(0), F(1), F(0))
     assert dot(a, b) == 2
     assert length(a) == 3
+    assert list(cross(a, b)) == [-2, 0, 1]  # (2*0 - 2*1, 2*0 - 1*0, 1*1 - 2*0)
     assert list(normalize(a)) == [F(1 / 3), F(2 / 3), F(2 / 3)]
     assert list(reflect(a, b)) == [1, -2, 2]  # the component along b turns round
     assert list(mix(a, b, F(0.5))) == [0.5, 1.5, 1]

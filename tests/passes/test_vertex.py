@@ -8,7 +8,7 @@ from one_stage import assert_same_bits, call
 from sss_ref.interpret import arrays
 from sss_ref.interpret.kernel import loops as kernel
 from sss_ref.language.pipeline import MeshDraw, Pass
-from sss_ref.passes.vertex import layout_vertex, mesh_vertex
+from sss_ref.passes.vertex import layout_vertex, mesh_vertex, tangent_layout_vertex, tangent_vertex
 
 VARYINGS = {"fragment_position": 0, "fragment_normal": 3, "fragment_uv": 6}
 
@@ -48,27 +48,59 @@ def test_layout_vertex(uv, flat):
     ) == ((*flat, 0, 1), (12, 24, 36), (3, 6, 9), uv)
 
 
+@pytest.mark.parametrize("handedness", [1, -1])
+def test_tangent_vertex(handedness):
+    # As above; the tangent is not moved, and turned over in a mirror.
+    *seen, tangent = call(
+        tangent_vertex,
+        position=(1, 2, 3),
+        normal=(0, 0, 1),
+        uv=(0.25, 0.75),
+        tangent=(0, 1, 3, -1),
+        world_from_model=[[2, 0, 0, 10], [0, 2, 0, 20], [0, 0, 2, 30], [0, 0, 0, 1]],
+        normal_from_model=[[1, 2, 3], [4, 5, 6], [7, 8, 9]],
+        handedness=handedness,
+        clip_from_model=[[1, 1, 1, 1], [0, 2, 0, 0], [0, 0, -1, 0.5], [0, 0, -1, 0]],
+    )
+    assert seen == [(7, 4, -2.5, -3), (12, 24, 36), (3, 6, 9), (0.25, 0.75)]
+    assert tangent == (0, 2, 6, -handedness)
+
+
+def test_tangent_layout_vertex():
+    assert call(
+        tangent_layout_vertex,
+        position=(1, 2, 3),
+        normal=(0, 0, 1),
+        uv=(0.5, 0.75),
+        tangent=(0, 1, 3, -1),
+        world_from_model=[[2, 0, 0, 10], [0, 2, 0, 20], [0, 0, 2, 30], [0, 0, 0, 1]],
+        normal_from_model=[[1, 2, 3], [4, 5, 6], [7, 8, 9]],
+        handedness=-1,
+    ) == ((0, 0.5, 0, 1), (12, 24, 36), (3, 6, 9), (0.5, 0.75), (0, 2, 6, 1))
+
+
 def random_mesh(seed):
     rng = np.random.default_rng(seed)
-    counts = {"position": 3, "normal": 3, "uv": 2}
+    counts = {"position": 3, "normal": 3, "uv": 2, "tangent": 4}
     mesh = {name: rng.normal(size=(100, count)).astype(np.float32) for name, count in counts.items()}
     for vertices in mesh.values():
         vertices[:20] = rng.choice(np.float32([0, -0.0, 1, 1e-30]), vertices[:20].shape)
     sizes = {"world_from_model": 4, "normal_from_model": 3, "clip_from_model": 4}
     matrices = {name: rng.normal(size=(size, size)).astype(np.float32) for name, size in sizes.items()}
-    return mesh, matrices
+    return mesh, {**matrices, "handedness": np.float32(-1)}
 
 
-@pytest.mark.parametrize("stage", [mesh_vertex, layout_vertex])
+@pytest.mark.parametrize("stage", [mesh_vertex, layout_vertex, tangent_vertex, tangent_layout_vertex])
 @pytest.mark.parametrize("interpreter", [arrays, kernel])
 def test_both_interpreters_give_the_bits_of_the_naive_form(interpreter, stage):
     mesh, matrices = random_mesh(seed=3)
     matrices = {name: matrix for name, matrix in matrices.items() if name in stage.parameters}
     one = Pass("vertices", "", MeshDraw(stage, "triangle", "depth"), ())
-    clip_position, attributes = interpreter.run_vertices(one, mesh, matrices, VARYINGS, 8)
+    more = {"fragment_tangent": 8} if "tangent" in stage.parameters else {}
+    clip_position, attributes = interpreter.run_vertices(one, mesh, matrices, VARYINGS | more, 12 if more else 8)
     clip_expected, attributes_expected = [], []
-    for position, normal, uv in zip(*map(list, mesh.values()), strict=True):
-        clip, *varyings = getattr(naive_stages, stage.name)(position, normal, uv, **matrices)
+    for vertex in zip(*(mesh[name] for name in stage.parameters if name in mesh), strict=True):
+        clip, *varyings = getattr(naive_stages, stage.name)(*vertex, **matrices)
         clip_expected.append(clip)
         attributes_expected.append(np.concatenate(varyings))
     assert_same_bits({"clip": clip_position}, {"clip": np.array(clip_expected)})

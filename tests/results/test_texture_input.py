@@ -25,6 +25,18 @@ def test_recorded_and_verified(textured):
     assert "albedo_map" in manifest.inputs and verify(textured).equal
 
 
+def test_a_specular_map_is_found_as_well(scene_file):
+    scene_file.write_text(scene_file.read_text().replace("[camera]", 'specular_map = "dull.png"\n[camera]'))
+    Image.effect_noise((8, 4), 90).save(scene_file.parent / "dull.png")
+    folder = save(render(load_scene(scene_file), keep="final"), scene_file.parent / "out")
+    there = str(scene_file.parent / "dull.png")
+    assert read_manifest(folder).scene.other_files == {"mesh.specular_map": there} and verify(folder).equal
+    (scene_file.parent / "new").mkdir()
+    for name in ("out", "dull.png"):
+        (scene_file.parent / name).rename(scene_file.parent / "new" / name)
+    assert verify(scene_file.parent / "new" / "out").equal
+
+
 def test_other_texels_are_another_input(textured):
     Image.new("RGB", (8, 4)).save(textured.parent / "skin.png")
     assert verify(textured).message.startswith("input differs: albedo_map of ")

@@ -13,7 +13,7 @@ from sss_ref.scene.catalogue import METHODS
 from sss_ref.scene.memory import bytes_per_pixel
 from sss_ref.scene_file import color_texture as textures
 from sss_ref.scene_file.presets import ROBUST
-from sss_ref.scene_file.settings import Blur
+from sss_ref.scene_file.settings import Blur, MeshSettings
 from sss_ref.scene_file.viewpoints import LightSettings
 
 
@@ -43,6 +43,14 @@ def test_every_buffer_counts(method, lights, unit):
     blur = Blur.model_construct(**ROBUST["blur"] | {"unit": unit})
     assert bytes_per_pixel({**tables, "blur": blur}) == worked
     assert unit == "mm" or bytes_per_pixel(tables) == worked
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_maps_add_a_normal_and_a_weight(method):
+    tables = {"method": method, "preset": "robust"}
+    mapped = MeshSettings.model_construct(path="", normal_map="a.png", specular_map="b.png")
+    without, both = bytes_per_pixel(tables), bytes_per_pixel({**tables, "mesh": mapped})
+    assert both == {**without, "camera": without["camera"] + 12 + 4}
 
 
 def test_what_is_counted_is_what_is_written():
@@ -102,6 +110,16 @@ def test_a_texture_counts_by_what_it_declares(small, tmp_path, monkeypatch):
     assert problems(small) == [
         "scene: mesh.texture: expected at most 4 GiB of buffers and textures, "
         "got 4.30 GiB, 1.83 GiB of them here; scale the picture down"
+    ]
+
+
+def test_every_picture_counts(small, tmp_path):
+    """Three times 12 * 16384 * 10000 bytes, and (147 + 16) * 2^20 + 12 * 2^22."""
+    Image.new("1", (16384, 10000)).save(tmp_path / "a.png")
+    small["mesh"] |= dict.fromkeys(("texture", "normal_map", "specular_map"), str(tmp_path / "a.png"))
+    assert problems(small) == [
+        "scene: mesh.texture: expected at most 4 GiB of buffers and textures, "
+        "got 5.70 GiB, 1.83 GiB of them here; scale the picture down"
     ]
 
 

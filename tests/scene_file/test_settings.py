@@ -16,6 +16,10 @@ COMMON = {
         "translate": (0.0, 0.0, 0.0),
         "color": (0.7, 0.4, 0.4),
         "texture": None,
+        "normal_map": None,
+        "normal_map_green": "up",
+        "normal_strength": 1.0,
+        "specular_map": None,
         "unwrap": False,
     },
     "camera": {

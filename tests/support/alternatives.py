@@ -24,7 +24,7 @@ def all_methods():
 
 @cache
 def methods_with_settings():
-    """Methods with their settings: all combinations of alternatives, three lights, a kernel in mm, `published`."""
+    """Methods with their settings: all alternatives, three lights, a kernel in mm, maps, `published`."""
     choices = {
         "method": METHODS,
         "mesh.color": ((0.7, 0.4, 0.4), "material"),
@@ -45,4 +45,5 @@ def methods_with_settings():
         for lights, mask, follow in product((1, 3), alternatives(settings.Blur, "mask"), (False, True)):
             blur = {"unit": "mm", "mask": mask, "follow_surface": follow}
             cases.append({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * lights, "blur": blur})
+        cases.append({"method": method, "mesh.normal_map": "any.png", "mesh.specular_map": "any.png"})
     return [(method_of(one), one) for one in map(settings_with, cases)]

@@ -70,7 +70,7 @@ class Player:
             self.context.depth_func = {"less": "<", "less or equal": "<="}[one["draw"]["depth_test"]]
             content = [
                 (self.context.buffer(self.mesh[name].tobytes()), f"{self.mesh[name].shape[1]}f", name)
-                for name in ("position", "normal", "uv")
+                for name in ("position", "normal", "uv", "tangent")
                 if name in program
             ]
             indices = self.context.buffer(self.mesh["triangles"].tobytes())

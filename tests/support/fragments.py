@@ -28,6 +28,7 @@ POSITIONS = [
     [1e-30, 1e-30, -1e-30],  # its squares underflow
 ]
 NORMALS = [[0, 0, 0], [-0.0, -0.0, -0.0], [1, 0, 0], [-1, 0, 0], [0, 0, 1], [0, 0, -1], [1e-30, 0, 0]]
+TANGENTS = [[0, 0, 0, 1], [0, 0, 1, -1], [0, 0, -1, -0.0], [1e-30, 0, 0, -1], [1, 0, 0, -1e-30]]  # none, along normals
 COLORS = [[0, 0, 0], [-0.0, 0, -0.0], [1, 1, 1]]
 HALVES = [[0.5 / 255, 1.5 / 255, 254.5 / 255], [-0.0, 0, 1], [100.5 / 255, 1e30, -1e30]]  # between two bytes, and far
 UVS = [[0, 0], [1, 1], [-0.0, 0.5], [0.5, 1]]
@@ -76,6 +77,7 @@ UNIFORMS: dict[str, Any] = {
     "mesh_color": np.array([0.7, 0.4, -0.0], np.float32),
     "triangle_material": np.array([0, 3, 1, 1, 2, 0, 3], np.int32),
     "material_color": np.array([[0.1, 0.2, 0.3], [1, 0, -0.0], [0, 0, 0], [0.7, 0.6, 0.5]], np.float32),
+    "normal_scale": np.array([1.5, -0.75], np.float32),
     "background": np.array([0.1, -0.0, 0.3], np.float32),
     "ambient": np.float32(0.1),
     "diffuse": np.float32(0.9),
@@ -174,7 +176,9 @@ def geometry(picture: Picture) -> dict[str, np.ndarray]:
         "fragment_normal": normal,
         "fragment_entry_point": np.where(rng.random((*picture.shape, 1)) < 0.3, position, position * np.float32(0.75)),
         "fragment_uv": picture.mixed(rng.random((*picture.shape, 2)), UVS),
+        "fragment_tangent": picture.mixed(rng.normal(size=(*picture.shape, 4)), TANGENTS),
         "position_world": position,
+        "unmapped_normal_world": (normal / np.maximum(length, 1e-30)).astype(np.float32),
         "normal_world": (normal / np.maximum(length, 1e-30)).astype(np.float32),
         "stored_distance": (own_distance * (1 - nearer)).astype(np.float32),
         "thickness": picture.mixed(rng.exponential(size=picture.shape), THICKNESSES),
@@ -235,6 +239,8 @@ def colors(picture: Picture) -> dict[str, np.ndarray]:
     return {
         "uv": picture.mixed(rng.uniform(-2, 3, (*picture.shape, 2)), FAR_UVS),
         "albedo_map": rng.random((MAP_HEIGHT, MAP_WIDTH, 3)).astype(np.float32),
+        "normal_map": rng.choice(np.float32([0, 0.5, 1]), (MAP_HEIGHT, MAP_WIDTH, 3)),  # some of length 0
+        "specular_map": np.repeat(rng.random((MAP_HEIGHT, MAP_WIDTH, 1)).astype(np.float32), 3, axis=2),
         "triangle": rng.integers(0, len(UNIFORMS["triangle_material"]), picture.shape).astype(np.int32),
     }
 

@@ -12,6 +12,7 @@ from naive_language import (
     between_centres,
     bilinear,
     correctly_rounded,
+    cross,
     dot,
     four_texels,
     length,
@@ -48,6 +49,17 @@ def layout_vertex(position, normal, uv, world_from_model, normal_from_model):
     return [*flat, F(0), F(1)], world, transform(normal_from_model, normal), uv
 
 
+def tangent_vertex(position, normal, uv, tangent, world_from_model, normal_from_model, handedness, clip_from_model):
+    along = transform(world_from_model, [*tangent[:3], F(0)])[:3]
+    seen = mesh_vertex(position, normal, uv, world_from_model, normal_from_model, clip_from_model)
+    return *seen, [*along, tangent[3] * handedness]
+
+
+def tangent_layout_vertex(position, normal, uv, tangent, world_from_model, normal_from_model, handedness):
+    along = transform(world_from_model, [*tangent[:3], F(0)])[:3]
+    return *layout_vertex(position, normal, uv, world_from_model, normal_from_model), [*along, tangent[3] * handedness]
+
+
 def surface(fragment_position, fragment_normal, fragment_uv):
     return fragment_position, normalize(fragment_normal), fragment_uv
 
@@ -56,14 +68,33 @@ def albedo_constant(mesh_color):
     return (mesh_color,)
 
 
+def _repeated(picture, uv):
+    corner, t = between_centres(picture, [v - np.floor(v) for v in uv])
+    framed = np.pad(picture, ((1, 1), (1, 1), (0, 0)), mode="wrap")  # what repeats stands around the picture
+    return bilinear(framed, [k + 1 for k in corner], t)
+
+
 def albedo_textured(uv, albedo_map):
-    corner, t = between_centres(albedo_map, [v - np.floor(v) for v in uv])
-    framed = np.pad(albedo_map, ((1, 1), (1, 1), (0, 0)), mode="wrap")  # what repeats stands around the picture
-    return (bilinear(framed, [k + 1 for k in corner], t),)
+    return (_repeated(albedo_map, uv),)
 
 
 def albedo_by_material(triangle, triangle_material, material_color):
     return (material_color[triangle_material[triangle]],)
+
+
+def normal_mapped(unmapped_normal_world, fragment_tangent, uv, normal_map, normal_scale):
+    n, tangent = unmapped_normal_world, fragment_tangent[:3]
+    x, y, z = (v * F(2) - F(1) for v in _repeated(normal_map, uv))
+    along = normalize(minus(tangent, scaled(n, dot(n, tangent))))
+    if not dot(along, along) > 0:
+        return (n,)
+    across = scaled(cross(n, along), F(-1) if fragment_tangent[3] < 0 else F(1))
+    sideways = added(scaled(along, x * normal_scale[0]), scaled(across, y * normal_scale[1]))
+    return (normalize(added(sideways, scaled(n, z))),)
+
+
+def specular_mapped(uv, specular_map, specular):
+    return (specular * _repeated(specular_map, uv)[0],)
 
 
 # Shadow map

@@ -52,6 +52,8 @@ class PrimitiveReader:
         if "COLOR_0" in primitive.attributes:
             self.notes["colours of vertices (COLOR_0) are not used"] = None
         appearance = Appearance(self._document, primitive.material, f"{place}.material")
+        if appearance.has_normal_map:
+            self.notes["normal maps inside the file are not read; give one as mesh.normal_map"] = None
         morphs = Morphs(self._document, self._accessors, place, primitive, weights)
         positions = morphs.applied("POSITION", POSITION, None)
         count = len(positions)

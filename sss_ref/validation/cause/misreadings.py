@@ -123,7 +123,53 @@ def _repeated(right: Any, given: Given) -> Any:
     return right({**given, **wide, "pixel": ivec2(at.x + np.int32(EDGE), at.y + np.int32(EDGE))})[0]
 
 
+def _other_texels(picture: str, change: Callable[[np.ndarray], np.ndarray]) -> Callable[[Any, Given], Any]:
+    """What a stage gives if the texels of its picture were others."""
+
+    def compute(right: Any, given: Given) -> Any:
+        return right({**given, picture: Texture(np.ascontiguousarray(change(given[picture].data)))})[0]
+
+    return compute
+
+
+def _decoded(texels: np.ndarray) -> np.ndarray:
+    """Numbers from 0 to 1 taken for codes of sRGB (IEC 61966-2-1)."""
+    curve = ((texels.astype(np.float64) + 0.055) / 1.055) ** 2.4
+    return np.where(texels <= 0.04045, texels / 12.92, curve).astype(np.float32)
+
+
+def _green_down(right: Any, given: Given) -> Any:
+    scale = given["normal_scale"]
+    return right({**given, "normal_scale": vec2(scale.x, -scale.y)})[0]
+
+
+def _unmapped(right: Any, given: Given) -> Any:
+    return given["unmapped_normal_world"]
+
+
 MISREADINGS = (
+    Misreading("the normal map's green is upside down", "normal_world", _green_down),
+    Misreading("the normal map is read as sRGB", "normal_world", _other_texels("normal_map", _decoded)),
+    Misreading(
+        "the normal map is taken from 0 to 1, not from -1 to 1",
+        "normal_world",
+        _other_texels("normal_map", lambda texels: texels * HALF + HALF),
+    ),
+    Misreading(
+        "tangent and bitangent have changed places",
+        "normal_world",
+        _other_texels("normal_map", lambda texels: texels[..., [1, 0, 2]]),
+    ),
+    Misreading("there is no normal map", "normal_world", _unmapped),
+    Misreading("the specular map is read as sRGB", "mapped_specular", _other_texels("specular_map", _decoded)),
+    *(
+        Misreading(f"the {picture} is read upside down", output, _other_texels(name, lambda texels: texels[::-1]))
+        for picture, name, output in (
+            ("texture", "albedo_map", "albedo"),
+            ("normal map", "normal_map", "normal_world"),
+            ("specular map", "specular_map", "mapped_specular"),
+        )
+    ),
     Misreading("the highlight is not tinted: it lacks the light's colour", "phong", _untinted),
     Misreading("it is Blinn's highlight, (N.H)^shininess, not Phong's (V.R)^shininess", "phong", _blinn),
     Misreading("N.L wraps round: N.L * 0.5 + 0.5", "phong", _wrapped(1)),

@@ -20,6 +20,7 @@ MEANING = {  # uniform -> the ends of what it can mean; others may be any number
     **dict.fromkeys(("light_intensity", "light_color", "translucency_scale"), (0.0, np.inf)),
     **dict.fromkeys(("mesh_color", "background"), (0.0, 1.0)),
     "lookup_inset": (0.5, 1.5),
+    "normal_scale": (0.0, np.inf),  # a map with green pointing down has a name of its own
 }
 
 

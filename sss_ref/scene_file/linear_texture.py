@@ -1,0 +1,36 @@
+"""Pictures that hold numbers and no colours: normal maps and specular maps, whose codes are not sRGB."""
+
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sss_ref.errors import SceneError
+from sss_ref.scene_file.color_texture import codes_of
+
+FloatArray = NDArray[np.float32]
+
+
+def load_linear(path: Path) -> FloatArray:
+    """The texels of a PNG or JPEG file, code/255, float32 (H, W, 3), row 0 at the bottom.
+
+    Grey becomes RGB; alpha is not used. An NPY file holds the very texels, as a bundle has them. Raises SceneError as
+    `codes_of` does, and for an array of another form or with numbers outside 0 to 1.
+    """
+    if path.suffix == ".npy":
+        return _array(path)
+    codes = codes_of(path)
+    return (codes / np.float64(np.iinfo(codes.dtype).max)).astype(np.float32)
+
+
+def _array(path: Path) -> FloatArray:
+    expected, remedy = "an NPY file of float32 (H, W, 3) from 0 to 1", "write the array again"
+    try:
+        texels: FloatArray = np.load(path, mmap_mode="r", allow_pickle=False)
+    except Exception:  # whatever a broken file makes NumPy raise
+        raise SceneError(f"expected {expected}, got one that cannot be read; {remedy}") from None
+    if getattr(texels, "dtype", None) != np.float32 or texels.shape[2:] != (3,) or not texels.size:
+        raise SceneError(f"expected {expected}, got {getattr(texels, 'dtype', 'an archive')}; {remedy}")
+    if not ((texels >= 0) & (texels <= 1)).all():
+        raise SceneError(f"expected {expected}, got other numbers; {remedy}")
+    return np.array(texels)

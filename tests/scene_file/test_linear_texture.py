@@ -1,0 +1,56 @@
+"""Pictures of numbers: how a code becomes one, and the arrays that bundles have in their place."""
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from sss_ref.errors import SceneError
+from sss_ref.scene_file.color_texture import texture_size
+from sss_ref.scene_file.linear_texture import load_linear
+
+CODES = np.arange(2 * 3 * 3, dtype=np.uint8).reshape(2, 3, 3) * 15
+
+
+def test_a_code_is_its_share_of_255_and_the_lowest_row_comes_first(tmp_path):
+    Image.fromarray(CODES).save(tmp_path / "a.png")
+    texels = load_linear(tmp_path / "a.png")
+    assert texels.dtype == np.float32 and texels.flags.c_contiguous
+    assert np.array_equal(texels, (CODES[::-1] / 255).astype(np.float32))
+    assert (texels[1, 0, 0], texels[0, 2, 2]) == (0, 1)
+
+
+def test_grey_becomes_rgb(tmp_path):
+    Image.fromarray(CODES[..., 0]).save(tmp_path / "a.png")
+    assert np.array_equal(load_linear(tmp_path / "a.png"), (CODES[::-1, :, :1].repeat(3, 2) / 255).astype(np.float32))
+
+
+def test_an_array_is_taken_as_it_is(tmp_path):
+    texels = np.random.default_rng(1).random((4, 5, 3)).astype(np.float32)
+    np.save(tmp_path / "a.npy", texels)
+    assert np.array_equal(load_linear(tmp_path / "a.npy"), texels)
+    assert texture_size(tmp_path / "a.npy") == (5, 4)
+
+
+@pytest.mark.parametrize(
+    ("array", "came"),
+    [
+        (np.zeros((4, 5, 3)), "float64"),
+        (np.zeros((4, 5), np.float32), "float32"),
+        (np.zeros((0, 5, 3), np.float32), "float32"),
+        (np.full((4, 5, 3), 1.5, np.float32), "other numbers"),
+        (np.full((4, 5, 3), np.nan, np.float32), "other numbers"),
+    ],
+)
+def test_other_arrays(tmp_path, array, came):
+    np.save(tmp_path / "a.npy", array)
+    with pytest.raises(SceneError) as error:
+        load_linear(tmp_path / "a.npy")
+    expected = "expected an NPY file of float32 (H, W, 3) from 0 to 1"
+    assert str(error.value) == f"{expected}, got {came}; write the array again"
+
+
+def test_a_broken_array(tmp_path):
+    (tmp_path / "a.npy").write_bytes(b"text")
+    with pytest.raises(SceneError, match="got one that cannot be read"):
+        load_linear(tmp_path / "a.npy")
+    assert texture_size(tmp_path / "a.npy") == (0, 0)
