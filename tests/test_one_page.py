@@ -39,7 +39,7 @@ def assert_same_bits(page, scene):
 @pytest.mark.parametrize("preset", ["paper", "robust"])
 @pytest.mark.parametrize("name", ["figure3_with", "teaching", "wedge"])
 def test_every_buffer_has_the_bits_of_the_oracle(page, name, preset):
-    assert_same_bits(page, small(name, preset=preset))
+    assert_same_bits(page, small(name, preset=preset, **{"blur.unit": "pixel"}))
 
 
 def test_edges_on_samples_ties_of_depth_and_taps_beside_the_model(page, tmp_path):
@@ -63,12 +63,21 @@ def test_grazing_light(page, tmp_path):
     [
         ("default", {}),
         ("figure4_wax", {}),
+        ("figure3_with", {}),
         ("lesson_speckle", {}),
         ("lesson_halo", {}),
         ("teaching", {"lights.0.falloff": "inverse_square"}),
         ("teaching", {"camera.distance": 0.4, "camera.near": 0.01}),
     ],
-    ids=["two lights", "the printed figures", "literal test", "no mask", "falloff", "a mesh that leaves the view"],
+    ids=[
+        "two lights",
+        "the printed figures",
+        "a kernel in mm",
+        "literal test",
+        "no mask",
+        "falloff",
+        "a mesh that leaves the view",
+    ],
 )
 def test_what_the_page_does_not_draw_it_refuses(page, name, overrides):
     with pytest.raises(ValueError, match="expected"):

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from sss_ref.errors.wording import KeyPath, told
-from sss_ref.scene_file.presets import PRESETS
+from sss_ref.scene_file.presets import PRESETS, ROBUST_IN_MM
 
 DEFAULT_PRESET = "paper"
 
@@ -16,10 +16,21 @@ def filled(data: Mapping[str, Any]) -> dict[str, Any]:
     """
     name = data.get("preset", DEFAULT_PRESET)
     preset = PRESETS.get(name if isinstance(name, str) else DEFAULT_PRESET, PRESETS[DEFAULT_PRESET])
+    if name == "robust" and _is_in_mm(data):
+        preset = laid(preset, ROBUST_IN_MM)
     lights = data.get("lights")
     if isinstance(lights, list | tuple):
         data = {**data, "lights": [laid(preset.get("lights", {}), light) for light in lights]}
     return {key: value for key, value in laid(preset, data).items() if key in data or key != "lights"}
+
+
+def _is_in_mm(data: Mapping[str, Any]) -> bool:
+    """Whether a scene's kernel is in mm: by its own word, or, without a word on pixels, for it knows its unit."""
+    blur = data.get("blur")
+    given = blur if isinstance(blur, Mapping) else {}
+    if "unit" in given:
+        return bool(given["unit"] == "mm")
+    return "mm_per_unit" in data and "pixel_scale" not in given
 
 
 def laid(lower: Any, upper: Any) -> Any:

@@ -160,7 +160,8 @@ class Blur(Table):
     kernel: Kernel
     """The name of a published kernel, or rows [X, Y, red, green, blue] with X, Y in pixels."""
     unit: Literal["pixel", "mm"] = "pixel"
-    """Of the kernel's offsets X and Y: pixels or texels (paper 3.2), or millimetres on the surface."""
+    """Of the kernel's offsets X and Y: pixels or texels (paper 3.2), or millimetres on the surface. Preset
+    robust has mm, and follow_surface, where the scene gives mm_per_unit and no pixel_scale."""
     pixel_scale: NonNegative
     """Pixels or texels that an offset of 1 is, with unit "pixel"."""
     mm_per_offset: Positive = 1.2

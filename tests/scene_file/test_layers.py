@@ -20,6 +20,20 @@ def test_file_goes_on_its_preset():
     assert filled({"preset": 7})["translucency"]["y"] == -1.0  # validation will refuse it
 
 
+def test_robust_blurs_in_mm_where_the_scene_knows_its_unit():
+    def blur(**data):
+        return filled({"preset": "robust", **data})["blur"]
+
+    in_mm = {"kernel": "hbh09", "mask": "taps", "pixel_scale": 2.0, "unit": "mm", "follow_surface": True}
+    assert blur(mm_per_unit=150.0) == in_mm
+    assert blur(blur={"unit": "mm"}) == in_mm
+    assert blur(mm_per_unit=150.0, blur={"follow_surface": False}) == {**in_mm, "follow_surface": False}
+    assert "unit" not in blur() and "follow_surface" not in blur()
+    assert "unit" not in blur(mm_per_unit=150.0, blur={"pixel_scale": 3.0})
+    assert blur(mm_per_unit=150.0, blur={"unit": "pixel"})["unit"] == "pixel"
+    assert "unit" not in filled({"mm_per_unit": 150.0})["blur"]
+
+
 def test_what_a_preset_has_of_lights_lies_below_every_light():
     lights = filled({"preset": "published", "lights": [{"fov_y": 30}, {}, 7]})["lights"]
     assert [light["fov_y"] for light in lights[:2]] == [30, 90.0]
