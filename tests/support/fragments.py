@@ -160,7 +160,7 @@ def random_inputs(rng: np.random.Generator, width: int, height: int) -> Inputs:
     """Every buffer and uniform that stages read."""
     picture = Picture(rng, width, height)
     buffers = {**geometry(picture), **shading(picture), **shadow_map(rng), **texture_space(picture), **colors(picture)}
-    return Inputs(width, height, {**buffers, **lengths(picture)}, UNIFORMS)
+    return Inputs(width, height, {**buffers, **lengths(picture), **detail(picture)}, UNIFORMS)
 
 
 def geometry(picture: Picture) -> dict[str, np.ndarray]:
@@ -176,7 +176,6 @@ def geometry(picture: Picture) -> dict[str, np.ndarray]:
         "fragment_normal": normal,
         "fragment_entry_point": np.where(rng.random((*picture.shape, 1)) < 0.3, position, position * np.float32(0.75)),
         "fragment_uv": picture.mixed(rng.random((*picture.shape, 2)), UVS),
-        "fragment_tangent": picture.mixed(rng.normal(size=(*picture.shape, 4)), TANGENTS),
         "position_world": position,
         "unmapped_normal_world": (normal / np.maximum(length, 1e-30)).astype(np.float32),
         "normal_world": (normal / np.maximum(length, 1e-30)).astype(np.float32),
@@ -239,8 +238,6 @@ def colors(picture: Picture) -> dict[str, np.ndarray]:
     return {
         "uv": picture.mixed(rng.uniform(-2, 3, (*picture.shape, 2)), FAR_UVS),
         "albedo_map": rng.random((MAP_HEIGHT, MAP_WIDTH, 3)).astype(np.float32),
-        "normal_map": rng.choice(np.float32([0, 0.5, 1]), (MAP_HEIGHT, MAP_WIDTH, 3)),  # some of length 0
-        "specular_map": np.repeat(rng.random((MAP_HEIGHT, MAP_WIDTH, 1)).astype(np.float32), 3, axis=2),
         "triangle": rng.integers(0, len(UNIFORMS["triangle_material"]), picture.shape).astype(np.int32),
     }
 
@@ -253,4 +250,14 @@ def lengths(picture: Picture) -> dict[str, np.ndarray]:
         "pixels_per_offset": picture.mixed(picture.rng.exponential(size=one), SCALES),
         "mm_per_texel": picture.mixed(picture.rng.exponential(size=both), [[0, 0], [1e30, 1e-30], [-1, 2]]),
         "texels_per_offset": picture.mixed(picture.rng.exponential(size=both), [[0, 0], [4096, 1], [0.5, 3]]),
+    }
+
+
+def detail(picture: Picture) -> dict[str, np.ndarray]:
+    """Tangents, and what is mapped along them; some texels of the normal map have no direction."""
+    rng = picture.rng
+    return {
+        "fragment_tangent": picture.mixed(rng.normal(size=(*picture.shape, 4)), TANGENTS),
+        "normal_map": rng.choice(np.float32([0, 0.5, 1]), (MAP_HEIGHT, MAP_WIDTH, 3)),
+        "specular_map": np.repeat(rng.random((MAP_HEIGHT, MAP_WIDTH, 1)).astype(np.float32), 3, axis=2),
     }
