@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from sss_ref.dump.loss import Loss, loss_of
+from sss_ref.dump.loss import EXACT, Loss, loss_of
 from sss_ref.interpret.intervals.profile import Profile
-from sss_ref.numerics.interval import INFINITY, Interval
+from sss_ref.numerics.interval import INFINITY, Interval, point
 
 DEPTHS = {"D16": "unorm16", "D24": "unorm24", "D32F": "float32"}
 
@@ -16,7 +16,8 @@ def depth_storage(profile: Profile) -> str:
 
 def step_of(storage: str | Loss, values: np.ndarray) -> np.ndarray:
     """The step of a storage at these values, float64; 0 for float32 and integers."""
-    return loss_of(storage).step(values)
+    loss = loss_of(storage)
+    return np.zeros(values.shape) if loss == EXACT else loss.step(values)
 
 
 def before_storage(storage: str | Loss, held: np.ndarray) -> Interval:
@@ -25,6 +26,8 @@ def before_storage(storage: str | Loss, held: np.ndarray) -> Interval:
     Where one holds the end of its range, or infinity, it may have been given anything beyond.
     """
     loss = loss_of(storage)
+    if loss == EXACT:
+        return point(held.astype(np.float64))
     exact = np.clip(held.astype(np.float64), loss.low, loss.high)
     step = loss.step(exact)
     low = np.where(exact <= loss.low, -INFINITY, exact - step)
@@ -33,6 +36,8 @@ def before_storage(storage: str | Loss, held: np.ndarray) -> Interval:
 
 def lost_in_storage(storage: str | Loss, computed: np.ndarray, held: np.ndarray) -> np.ndarray:
     """How far, float64, storage may have moved a value from where it was computed: a step, or what it cut off."""
+    if loss_of(storage) == EXACT:
+        return np.zeros(held.shape)
     given = before_storage(storage, held)
     exact, step = computed.astype(np.float64), step_of(storage, held)
     likeliest = np.clip(exact, given.low, given.high)

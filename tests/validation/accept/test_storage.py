@@ -51,6 +51,13 @@ def test_steps_by_hand():
     assert step_of("unorm8", values).tolist() == [1 / 255] * 3
 
 
+def test_float32_keeps_everything():
+    held = F([0, 0.1, -3, np.inf, -np.inf, np.nan])
+    before = before_storage("float32", held)
+    assert np.array_equal([before.low, before.high], [held, held], equal_nan=True)
+    assert not lost_in_storage("float32", F([1, 0.1, np.nan, 2, 3, np.nan]), held).any()
+
+
 def test_what_is_beyond_the_range_is_cut_off():
     held = F([0, 1, 0.2])
     before = before_storage("unorm8", held)
