@@ -4,21 +4,18 @@
     python benchmarks/validate.py --other ../before      # in turns with another checkout; prints this one's share of it
 
 Each run is a process of its own; the kernels are compiled before. Told are the least seconds of processor time, user
-and system, and of wall time of all runs: on a shared machine the first is the one to compare. The dumps are the
-oracle's own buffers, of the scene itself or of one whose taps are 1 % too far out.
+and system, and of wall time of all runs: on a shared machine the first is the one to compare. The dumps are a
+checkout's own buffers, for its rules may be others, of the scene itself or of one whose taps are 1 % too far out.
 """
 
 import argparse
+import json
 import os
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
-
-import numpy as np
-
-import sss_ref
 
 HERE = Path(__file__).parents[1]
 SCENE = "figure3_with"
@@ -44,9 +41,13 @@ def main() -> None:
     print(f"{'case':<14}{'processor':>12}{'wall':>10}   {'share of the other' if given.other else ''}")
     for name, (camera, shadow_map, changes) in cases.items():
         with tempfile.TemporaryDirectory() as folder:
-            size = sizes(camera, shadow_map)
-            dump(Path(folder), size | changes)
-            print(line(name, in_turns(checkouts, arguments(folder, size), given.options, given.runs)), flush=True)
+            size, commands = sizes(camera, shadow_map), {}
+            for number, checkout in enumerate(checkouts):
+                there = Path(folder, str(number))
+                dump(checkout, there, size | changes)
+                options = given.options if checkout == HERE else []
+                commands[checkout] = [*arguments(there, size), *options]
+            print(line(name, in_turns(commands, given.runs)), flush=True)
 
 
 def sizes(camera: int, shadow_map: int) -> dict[str, int]:
@@ -55,29 +56,36 @@ def sizes(camera: int, shadow_map: int) -> dict[str, int]:
     return {f"{table}.{side}": size for table, size in named.items() for side in ("width", "height")}
 
 
-def dump(folder: Path, overrides: dict[str, float]) -> None:
-    """Write all buffers but one of the scene; UVs are of no use here."""
-    result = sss_ref.render(sss_ref.load_scene(SCENE, **overrides))
-    for name, buffer in result.buffers.items():
-        if name != "uv":
-            np.save(folder / f"{name}.npy", buffer)
+DUMP = """
+import json, pathlib, sys, numpy, sss_ref
+scene, folder, overrides = sys.argv[1], pathlib.Path(sys.argv[2]), json.loads(sys.argv[3])
+folder.mkdir()
+for name, buffer in sss_ref.render(sss_ref.load_scene(scene, **overrides)).buffers.items():
+    if name != "uv":  # of no use here
+        numpy.save(folder / f"{name}.npy", buffer)
+"""
 
 
-def arguments(folder: str, overrides: dict[str, int]) -> list[str]:
+def dump(checkout: Path, folder: Path, overrides: dict[str, float]) -> None:
+    """Have a checkout write all buffers of the scene but one."""
+    environment = os.environ | {"PYTHONPATH": str(checkout)}
+    command = [sys.executable, "-c", DUMP, SCENE, str(folder), json.dumps(overrides)]
+    subprocess.run(command, env=environment, cwd=checkout, check=True)
+
+
+def arguments(folder: Path, overrides: dict[str, int]) -> list[str]:
     """What the command line is given."""
     return [
         "validate",
         SCENE,
-        folder,
+        str(folder),
         *(part for each in overrides.items() for part in ("--set", "{}={}".format(*each))),
     ]
 
 
-def in_turns(checkouts: list[Path], command: list[str], options: list[str], runs: int) -> list[Seconds]:
+def in_turns(commands: dict[Path, list[str]], runs: int) -> list[Seconds]:
     """The least seconds of each checkout; the first turn compiles and is not counted."""
-    turns = [
-        [timed(each, [*command, *(options if each == HERE else [])]) for each in checkouts] for _ in range(runs + 1)
-    ]
+    turns = [[timed(checkout, command) for checkout, command in commands.items()] for _ in range(runs + 1)]
     return [(min(p for p, _ in own), min(w for _, w in own)) for own in zip(*turns[1:], strict=True)]
 
 
