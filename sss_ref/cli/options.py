@@ -71,22 +71,22 @@ class Wanted:
 @Parameter(name="*")
 @dataclass(frozen=True)
 class Haste:
-    """What validating leaves out."""
+    """What validating leaves out, or does besides."""
 
     only: Annotated[str | None, Parameter(show_default=False)] = None
     """Judge a single stage, by name, or the rasterizer."""
     quick: Annotated[bool, Parameter(negative="")] = False
     """Look for an explanation for a second at most, and not for how small an error would be seen."""
-    no_power: Annotated[bool, Parameter(negative="")] = False
-    """Do not work out how small an error would be seen."""
+    power: Annotated[bool | None, Parameter(negative="--no-power", show_default=False)] = None
+    """Work out how small an error would be seen; done for a report unless --quick or --no-power says otherwise."""
 
-    @property
-    def scope(self) -> "Scope":
-        """How far `judge` goes."""
+    def scope(self, reported: bool) -> "Scope":
+        """How far `judge` goes. reported: whether a report is written."""
         from sss_ref.validation.scope import FULL, QUICK
 
         scope = QUICK if self.quick else FULL
-        return replace(scope, stage=self.only, power=scope.power and not self.no_power)
+        power = self.power if self.power is not None else scope.power and reported
+        return replace(scope, stage=self.only, power=power)
 
 
 NO_CHANGES, KERNELS, EVERYTHING, NO_HASTE = Changes(), Execution(), Wanted(), Haste()

@@ -76,7 +76,7 @@ def validate(
             only = _judged_pixels(loaded, region, exclude)
         with clock.phase("rendering"):
             oracle = render(loaded, execution.interpreter, execution.threads, on_pass=lambda name: show(f"pass {name}"))
-        found = judge(oracle, drawing, only, profile, haste.scope, clock)
+        found = judge(oracle, drawing, only, profile, haste.scope(report is not None), clock)
         if metrics:
             with clock.phase("metrics"):
                 found = replace(found, likeness=tuple(likeness(oracle, drawing.buffers)))

@@ -79,9 +79,10 @@ def test_without_time_it_is_said_what_was_not_tried(oracle, wrong, whole):
 
 
 def test_the_options_of_the_command_line_add_up():
-    assert Haste().scope == FULL and Haste(quick=True).scope == QUICK
-    assert Haste(no_power=True).scope == replace(FULL, power=False)
-    assert Haste(only="blur", quick=True).scope == replace(QUICK, stage="blur")
+    assert Haste().scope(reported=True) == FULL and Haste(quick=True).scope(reported=True) == QUICK
+    assert Haste().scope(reported=False) == Haste(power=False).scope(reported=True) == replace(FULL, power=False)
+    assert Haste(power=True).scope(reported=False) == FULL
+    assert Haste(only="blur", quick=True).scope(reported=True) == replace(QUICK, stage="blur")
 
 
 def test_the_command_line_takes_them(oracle, wrong, tmp_path, capsys):
