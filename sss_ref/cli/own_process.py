@@ -1,0 +1,17 @@
+"""`sss-ref` as a process of its own, whose interpreter may be set up for a short run."""
+
+import gc
+import sys
+from typing import NoReturn
+
+NEW_OBJECTS = 100_000  # after which rubbish is looked for; Python's 700 do so hundreds of times while modules load
+
+
+def run() -> NoReturn:
+    """Run the command line and end the process with its exit code."""
+    gc.set_threshold(NEW_OBJECTS)
+    from sss_ref.cache.blas import leave_out
+    from sss_ref.cli import main
+
+    leave_out()
+    sys.exit(main())
