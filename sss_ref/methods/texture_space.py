@@ -34,7 +34,7 @@ LAYOUT = MeshDraw(layout_vertex, coverage="irradiance_mask", layout=True)
 TANGENT_LAYOUT = replace(LAYOUT, vertex=tangent_layout_vertex)
 
 LENGTHS_THERE = (  # of a texel and of an offset, along both axes of the layout
-    lengths.texel_length.bound(triangle="texel_triangle"),
+    lengths.texel_length.bound(triangle="irradiance_triangle"),
     lengths.offset_length.retyped(mm_per_pixel=vec2, pixels_per_offset=vec2).bound(
         mm_per_pixel="mm_per_texel", pixels_per_offset="texels_per_offset"
     ),
@@ -78,7 +78,7 @@ def laid_out(settings: SceneFile, stages: tuple[Stage, ...]) -> tuple[Pass, ...]
     if settings.blur.unit == "pixel":
         return (Pass("irradiance_map", "irradiance_map", layout(settings), stages),)
     feedback = {"texels_per_offset": "texels_per_offset_filled", "irradiance_mask": "texels_per_offset_mask"}
-    in_mm = replace(layout(settings), triangle="texel_triangle")
+    in_mm = replace(layout(settings), triangle="irradiance_triangle")
     return (
         Pass("irradiance_map", "irradiance_map", in_mm, (*LENGTHS_THERE, *stages)),
         Pass(

@@ -28,6 +28,7 @@ BUFFERS = {
     "light_depth": Buffer("window depth of the light's view, 0 to 1", 1.0, per_light=True),
     "light_distance": Buffer("scene units from the light", "light_clear_distance", per_light=True),
     "light_uv": Buffer("texture coordinates of what the light sees", -1.0, per_light=True),
+    "irradiance_triangle": Buffer("triangle index in scene order", -1),
     "irradiance_mask": Buffer("1 where the layout covers the texel"),
     "mm_per_texel": Buffer("mm on the surface along the layout's two axes"),
     "texels_per_offset": Buffer("texels along the layout's two axes"),
