@@ -159,6 +159,13 @@ BLUR = {
     "weights in reverse": Fault("bust", "blur/scatter_inside", {"tap_weight[tap]": "tap_weight[tap_count - 1 - tap]"}),
     "taps half a texel off": Fault("bust", "blur/scatter_inside", {"* pixel_scale": "* pixel_scale + 0.5"}),
     "mask ignored": Fault("bust", "blur/scatter_inside", {"texel_clamped_bool(coverage, at) ? 1.0 : 0.0": "1.0"}),
+    "kernel in pixels": Fault("bust in mm", "camera/offset_length", {"min_(mm_per_offset / ": "min_(1.0 / "}),
+    "taps mirrored, in mm": Fault(
+        "bust in mm",
+        "blur/scatter_inside_surface",
+        {"tap_offset[tap] * pixel_scale": "-tap_offset[tap] * pixel_scale"},
+    ),
+    "taps from other surfaces": Fault("bust in mm", "blur/scatter_inside_surface", {"<= 1.0": "<= 1e30"}),
     "border for clamp": Fault("wax from near", "blur/scatter", {CLAMPED: BORDERED}, "blur"),
     "sRGB write": Fault(
         "slabs", "composite/over_background", {"out_image = image;": "out_image = pow(image, vec3(0.4545));"}

@@ -62,6 +62,15 @@ FAULTS = {
     "gutter without the left neighbour": Fault(
         T, "irradiance_fill/dilate", {"from_left = inside(mask, left) ? left : from_right": "from_left = from_right"}
     ),
+    "gutter of the lengths": Fault(
+        "texture space in mm",
+        "offset_fill/dilate",
+        {"from_left = inside(mask, left) ? left : from_right": "from_left = from_right"},
+        "offset_fill",
+    ),
+    "stretch forgotten": Fault(
+        "texture space in mm", "irradiance_map/texel_length", {"ivec2(triangle % 4096": "ivec2(0 * triangle"}
+    ),
     "taps swapped": Fault(
         T, "irradiance_blur/scatter_inside", {"tap_offset[tap] * pixel_scale": "tap_offset[tap].yx * pixel_scale"}
     ),
