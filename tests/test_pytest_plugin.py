@@ -65,7 +65,7 @@ def test_a_wrong_shader_fails_with_the_stage_and_the_cause(project):
     assert shader.read_text() != right
     done = run_pytest(project)
     assert done.returncode == 1 and "1 failed" in done.stdout
-    assert re.search(r"^E +AssertionError: fail: stage scatter_inside of pass blur is the first", done.stdout, re.M)
+    assert re.search(r"^E +AssertionError: fail: stage scatter_inside_surface of pass blur is", done.stdout, re.M)
     assert re.search(r"^E +first at pixel \d+,\d+ ", done.stdout, re.M)
     assert "stage_by_stage.py" not in done.stdout  # the test's own line is shown, and none of ours
 

@@ -112,7 +112,7 @@ def test_what_is_forgotten_is_found(tmp_path, monkeypatch, forgotten):
     memory, _ = drawn(scene, "upright", tmp_path)
     report = report_of(scene, memory, tmp_path, 'origin = "top"' if forgotten < 2 else 'origin = "bottom"')
     assert not report.passed
-    assert report.culprit.stage == ("scatter_inside", "shadow_lookup_nearest", "rasterizer")[forgotten]
+    assert report.culprit.stage == ("scatter_inside_surface", "shadow_lookup_nearest", "rasterizer")[forgotten]
 
 
 def test_the_layout_pass_is_mirrored_alone(tmp_path):

@@ -37,6 +37,7 @@ BUST = {
     "lights.0.intensity": 1.25,
     "mesh.rotate_degrees": [0.0, 20.0, 0.0],
     "mesh.scale": [1.0, 1.1, 0.9],
+    "blur.unit": "pixel",
 }
 SCENES = {
     "bust": ("figure3_with", BUST),

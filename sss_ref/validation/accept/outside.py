@@ -21,8 +21,10 @@ def nothing_drawn(case: Case, drawn: DrawnPass) -> np.ndarray:
         return np.zeros(drawn.work.fragments.where.shape, bool)
     if draw.stencil in case.drawing.buffers:
         return _shows_nothing(case.drawing.buffers[draw.stencil])
-    (writer,) = (each for each in case.oracle.scene.method.passes if draw.stencil in each.draw.outputs)
-    return _beside_the_mesh(case, case.drawn(writer))
+    writers = [each for each in case.oracle.scene.method.passes if draw.stencil in each.draw.outputs]
+    if not writers:  # stages write it, so their bounds say where it can only be 0
+        return _shows_nothing(case.read(draw.stencil).high)
+    return _beside_the_mesh(case, case.drawn(writers[0]))
 
 
 def _beside_the_mesh(case: Case, drawn: DrawnPass) -> np.ndarray:
