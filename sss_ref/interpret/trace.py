@@ -3,33 +3,18 @@
 The values are NumPy scalars of the array interpreter's kind, so every one has the bits of the buffers.
 """
 
-import operator
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from sss_ref.language import tree
+from sss_ref.language.evaluation import Evaluation
 from sss_ref.language.notation import written
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import Vector
 
-OPERATORS: dict[str, Callable[..., Any]] = {
-    "+": operator.add,
-    "-": operator.sub,
-    "*": operator.mul,
-    "/": operator.truediv,
-    "<": operator.lt,
-    "<=": operator.le,
-    ">": operator.gt,
-    ">=": operator.ge,
-    "==": operator.eq,
-    "!=": operator.ne,
-    "&": operator.and_,
-    "|": operator.or_,
-    "neg": operator.neg,
-}
 Bounds = tuple[Any, Any]
 TOLD = ("pow", "exp", "exp2", "log2", "texel")  # the primitives whose results are worth a line of their own
 
@@ -67,27 +52,13 @@ def trace(stage: Stage, inputs: Sequence[Any]) -> tuple[tuple[Step, ...], dict[s
     return tuple(lines.steps), {stage.writes[own]: value for own, value in results.items()}
 
 
-def run_body(body: tree.Body, names: Mapping[str, Any]) -> dict[str, Any]:
-    """Run a body and keep no steps: output -> value. names: parameter -> value; arrays of fragments do as well."""
-    return _Values(dict(names)).run(body, {})
-
-
-class _Lines:
+class _Lines(Evaluation):
     """The lines of one body as they are run; `steps` grows, and `calls` holds those of the line at work."""
 
     def __init__(self, names: dict[str, Any]) -> None:
-        self.names = names
+        super().__init__(names)
         self.steps: list[Step] = []
         self.calls: list[Step] = []
-
-    def run(self, body: tree.Body, results: Mapping[str, str]) -> dict[str, Any]:
-        """Run a body; output -> value. results: output -> the name it gets in the trace."""
-        for statement in body.statements:
-            if isinstance(statement, tree.Loop):
-                self.loop(statement)
-            else:
-                self.names[statement.name] = self.line(statement.name, statement.value)
-        return {own: self.line(results.get(own, ""), value) for own, value in body.result.values.items()}
 
     def line(self, name: str, expression: tree.Expression) -> Any:
         """Evaluate an expression as a line of its own."""
@@ -101,33 +72,16 @@ class _Lines:
         outside, turns = self.steps, []
         start, stop = self.value(statement.start), self.value(statement.stop)
         for index in range(start, stop):
-            self.names[statement.index], self.steps = index, []
-            for assign in statement.block:
-                self.names[assign.name] = self.line(assign.name, assign.value)
+            self.steps = []
+            self.turn(statement, index)
             turns.append(Step(statement.index, str(index), None, tuple(self.steps)))
         self.steps = outside
         head = f"for {statement.index} in range({written(statement.start)}, {written(statement.stop)})"
         self.steps.append(Step("", head, None, tuple(turns)))
 
-    def value(self, expression: tree.Expression) -> Any:
-        """The value of an expression; calls that are worth telling are noted on the way."""
-        match expression:
-            case tree.Literal(value=value):
-                return value
-            case tree.Constant(type=kind, value=value):
-                return np.float32(value) if kind is float else value
-            case tree.Variable(name=name):
-                return self.names[name]
-            case tree.Member(vector=vector, letters=letters):
-                return getattr(self.value(vector), letters)
-            case tree.Construct(type=kind, parts=parts):
-                return kind(*map(self.value, parts))
-            case tree.Operation(operator=sign, operands=operands):
-                return OPERATORS[sign](*map(self.value, operands))
-            case tree.Element(array=array, index=index):
-                return self.told(expression, self.names[array.name][self.value(index)])
-            case tree.Call():
-                return self.call(expression)
+    def element(self, expression: tree.Element) -> Any:
+        """An element of a uniform array is worth telling."""
+        return self.told(expression, super().element(expression))
 
     def call(self, expression: tree.Call) -> Any:
         """A call of a primitive, or of a function with lines of its own."""
@@ -142,25 +96,6 @@ class _Lines:
     def told(self, expression: tree.Expression, value: Any, inner: tuple[Step, ...] = ()) -> Any:
         """Note what a part of the line at work gives."""
         self.calls.append(Step("", expression, value, inner))
-        return value
-
-
-class _Values(_Lines):
-    """The same without its steps."""
-
-    def line(self, name: str, expression: tree.Expression) -> Any:
-        """As of any lines."""
-        return self.value(expression)
-
-    def loop(self, statement: tree.Loop) -> None:
-        """As of any lines."""
-        for index in range(self.value(statement.start), self.value(statement.stop)):
-            self.names[statement.index] = index
-            for assign in statement.block:
-                self.names[assign.name] = self.value(assign.value)
-
-    def told(self, expression: tree.Expression, value: Any, inner: tuple[Step, ...] = ()) -> Any:
-        """Nothing is noted."""
         return value
 
 

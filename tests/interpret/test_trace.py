@@ -8,7 +8,7 @@ from stage_cases import FRAGMENT_STAGES
 from traced import inputs_at, summed
 
 from sss_ref.interpret import arrays
-from sss_ref.interpret.trace import Step, run_body, trace
+from sss_ref.interpret.trace import Step, trace
 from sss_ref.language import Array, vec2
 from sss_ref.language.types import components
 
@@ -39,11 +39,6 @@ def test_lines_calls_and_turns():
     assert line(steps[2]) == ("scaled", "select(total > 2.0, pow(total, 2.0), -total) * THIRD", F(30.25) * F(1 / 3))
     assert [line(call) for call in steps[2].inner] == [("", "pow(total, 2.0)", 30.25)]
     assert [line(step) for step in steps[3:]] == [("total", "scaled", results["total"]), ("flag", "total != 0.0", True)]
-
-
-def test_without_steps_a_body_gives_the_same():
-    given = [F(0.5), vec2(F(7), F(2)), Array(F([0.25, 1])), 2]
-    assert run_body(summed.body, dict(zip(summed.parameters, given, strict=True))) == trace(summed, given)[1]
 
 
 @pytest.mark.parametrize("stage_", FRAGMENT_STAGES, ids=lambda s: s.name)

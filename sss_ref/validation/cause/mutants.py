@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.interpret.trace import run_body
 from sss_ref.language import builtins, tree
+from sss_ref.language.evaluation import run_body
 from sss_ref.language.notation import written
 from sss_ref.language.stage import Stage
 
