@@ -15,8 +15,8 @@ import sss_ref
 from sss_ref.dump.mapping import BufferTable
 from sss_ref.methods.stages import all_stages
 from sss_ref.rules import RULES_VERSION
-from sss_ref.scene_file import viewpoints
 from sss_ref.scene_file.kernels import HBH09
+from sss_ref.scene_file.reading import TABLES
 
 STAGES = all_stages()
 DOCS = Path(__file__).parents[1] / "docs"
@@ -58,8 +58,9 @@ def scene_keys():
     tables["lights"] = filled["lights"][0]
     yield from (name for name in filled if name not in tables)
     yield from (f"{name}.{key}" for name, table in tables.items() for key in table)
-    for model in (viewpoints.OrbitCamera, viewpoints.LookAtCamera, viewpoints.FreeCamera):
-        yield from (f"camera.{key}" for key in model.model_fields)
+    for path, model in TABLES.items():
+        if path[:1] in (("camera",), ("lights",)):
+            yield from (f"{path[0]}.{key}" for key in model.model_fields)
 
 
 @pytest.mark.parametrize("key", dict.fromkeys(scene_keys()))

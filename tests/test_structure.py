@@ -191,7 +191,7 @@ def test_every_buffer_is_listed_every_listed_one_written_and_every_stage_used():
     assert len({name for name in written if re.fullmatch("tap_[0-9]{2}", name)}) == 13
     assert {entry_of(name) for name in written} == set(BUFFERS)
     assert all(described(name) is BUFFERS[entry_of(name)] for name in written)
-    used = {stage.name for method in methods for one in method.passes for stage in one.stages}
+    used = {stage.python.__name__ for method in methods for one in method.passes for stage in one.stages}
     vertex = {one.draw.vertex.name for method in methods for one in method.passes if hasattr(one.draw, "vertex")}
     assert used | vertex == set(STAGES)
 

@@ -47,13 +47,26 @@ def sections() -> Iterator[str]:
     """Every table with its keys; what all types of camera have comes before the types."""
     for path, model in TABLES.items():
         if path == ("camera", "orbit"):
-            yield from section("[camera]", viewpoints.Lens, "camera", camera_type(), set())
-        if path[:1] == ("camera",):
-            yield from section(f'type = "{path[1]}"', model, "camera", "", set(viewpoints.Lens.model_fields) | {"type"})
+            yield from section("[camera]", viewpoints.Picture, "camera", choice("camera", "must be given"), set())
+        if path == ("lights", "point"):
+            yield from section("[[lights]]", viewpoints.LightTable, "lights", choice("lights", '`"point"`'), set())
+        if path[:1] in SHARED:
+            without = set(SHARED[path[:1]].model_fields) | {"type"}
+            yield from section(f'type = "{path[1]}"', model, path[0], "", without)
         else:
             yield from section(title(path), model, ".".join(path), "", set(TABLES_AT_TOP) if not path else set())
 
 
+# What all types of a table have, which stands before them.
+SHARED: dict[tuple[Any, ...], type[BaseModel]] = {("camera",): viewpoints.Picture, ("lights",): viewpoints.LightTable}
+
+# The keys of a type that a type before it has: described once more, but indexed once.
+REPEATED: dict[type[BaseModel], set[str]] = {
+    viewpoints.LookAtCamera: set(viewpoints.OrbitCamera.model_fields),
+    viewpoints.FreeCamera: {"fov_y"},
+    viewpoints.OrthographicCamera: set(viewpoints.LookAtCamera.model_fields),
+    viewpoints.DirectionalLight: set(viewpoints.PointLight.model_fields),
+}
 TABLES_AT_TOP = [path[0] for path in TABLES if path]
 
 
@@ -61,7 +74,7 @@ def title(path: tuple[Any, ...]) -> str:
     """The heading of a table, as TOML writes it."""
     if not path:
         return "Top of the file"
-    return "[[lights]]" if path == ("lights",) else f"[{path[0]}]"
+    return f"[{path[0]}]"
 
 
 def dotted_keys() -> list[str]:
@@ -81,7 +94,7 @@ def section(heading: str, model: type[BaseModel], name: str, first: str, without
     hints = get_type_hints(model, include_extras=True)
     for key, field in model.model_fields.items():
         if key not in without:
-            repeated = model is viewpoints.LookAtCamera and key in viewpoints.OrbitCamera.model_fields
+            repeated = key in REPEATED.get(model, ())
             yield entry(name, key, field, hints[key], [("no-index", "")] if repeated else [])
 
 
@@ -92,13 +105,13 @@ def summary(model: type[BaseModel]) -> str:
     return told[0].upper() + told[1:]
 
 
-def camera_type() -> str:
-    """The key that chooses between the models of a camera."""
-    types = {path[1]: model for path, model in TABLES.items() if path[:1] == ("camera",)}
+def choice(table: str, default: str) -> str:
+    """The key that chooses between the models of a camera, or of a light."""
+    types = {path[1]: model for path, model in TABLES.items() if path[:1] == (table,)}
     told = "\n".join(f"- `{name}`: {prose(summary(model))}" for name, model in types.items())
     choices = ", ".join(f'`"{name}"`' for name in types)
     content = f"Which further keys the table has.\n\n{told}"
-    return directive("confval", "camera.type", content, [("type", f"one of {choices}"), ("default", "must be given")])
+    return directive("confval", f"{table}.type", content, [("type", f"one of {choices}"), ("default", default)])
 
 
 def presets_table() -> str:

@@ -20,7 +20,7 @@ FOUND_BY_TYPE = {
     "too_long": ("{max_length} values", "remove the others"),
     "literal_error": ("{expected}", "choose one of these"),
     "union_tag_invalid": ("a type {expected_tags}", "choose one of these"),
-    "union_tag_not_found": ("a type", 'add type = "orbit", "look_at" or "free"'),
+    "union_tag_not_found": ("a type", 'add type = "orbit", "look_at", "free" or "orthographic"'),
     "missing": ("a value", "add it"),
     "dict_type": ("a table", "give its keys, each with a value"),
     "model_type": ("a table", "give its keys, each with a value"),
@@ -28,7 +28,8 @@ FOUND_BY_TYPE = {
 }
 
 # Where a value may have one of several forms, pydantic inserts the form's name after these keys.
-CHOICES: tuple[KeyPath, ...] = (("camera",), ("mesh", "color"), ("blur", "kernel"))
+ANY = -1  # the place of every element of an array
+CHOICES: tuple[KeyPath, ...] = (("camera",), ("lights", ANY), ("mesh", "color"), ("blur", "kernel"))
 
 
 def unmet(expected: str, remedy: str, came: str | None = None) -> PydanticCustomError:
@@ -68,8 +69,8 @@ def described(error: ErrorDetails, known: Iterable[str]) -> tuple[KeyPath, str]:
 def key_path(location: Sequence[str | int]) -> KeyPath:
     """Pydantic's location without the names of alternative forms."""
     for keys in CHOICES:
-        if tuple(location[: len(keys)]) == keys:
-            return (*keys, *location[len(keys) + 1 :])
+        if tuple(ANY if isinstance(part, int) else part for part in location[: len(keys)]) == keys:
+            return (*location[: len(keys)], *location[len(keys) + 1 :])
     return tuple(location)
 
 

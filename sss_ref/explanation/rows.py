@@ -1,6 +1,5 @@
 """An explanation as a list of headed tables, for the terminal and for a page alike."""
 
-import inspect
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -108,7 +107,7 @@ def _of_draw(drawn: TriangleTrace) -> Section:
 
 def section_of(traced: StageTrace, detail: Detail, told: Collection[str] = ()) -> Section:
     """A stage: what it reads, but for what was told before, and its lines."""
-    about = inspect.getdoc(traced.stage.python) or ""
+    about = traced.stage.description
     where = f" at {traced.at}" if traced.at else ""
     section = Section(2, traced.stage.name + where, f"{traced.stage.source}. {about.splitlines()[0]}")
     for name, value in traced.reads.items():

@@ -5,6 +5,7 @@ the buffers and uniforms it reads, the fields of the NamedTuple it returns are t
 callable as plain Python, which is how array code runs them.
 """
 
+import inspect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, update_wrapper
@@ -14,6 +15,7 @@ import numpy as np
 
 from sss_ref.errors import StageError
 from sss_ref.language import tree
+from sss_ref.language.evaluation import run_body
 from sss_ref.language.front_end import body_of
 from sss_ref.language.typing_rules import call_type, is_type, type_name
 
@@ -61,7 +63,11 @@ def function(python: F) -> F:
 
 @dataclass(frozen=True)
 class Stage:
-    """A stage and the buffers it is bound to; `reads` and `writes` map its own names to those of the pass."""
+    """A stage and the buffers it is bound to; `reads` and `writes` map its own names to those of the pass.
+
+    variant: of a stage that was made from another one, by `parallel_rays`: what its name has behind that one's, and a
+    sentence for its description. Its body is what it computes then.
+    """
 
     python: Callable[..., Any]
     source: str
@@ -69,10 +75,13 @@ class Stage:
     outputs: Mapping[str, Any]
     reads: Mapping[str, str]
     writes: Mapping[str, str]
+    variant: tuple[str, str] = ("", "")
 
     def __call__(self, *arguments: Any) -> Any:
         """Run the stage as plain Python, on scalars or on arrays of fragments."""
-        return self.python(*arguments)
+        if not self.variant[0]:
+            return self.python(*arguments)
+        return self.result_struct(**run_body(self.body, dict(zip(self.parameters, arguments, strict=True))))
 
     def run(self, inputs: Sequence[Any]) -> dict[str, Any]:
         """Run the stage as plain Python: buffer -> value. inputs: one value per parameter, in order; no warnings."""
@@ -82,7 +91,17 @@ class Stage:
     @property
     def name(self) -> str:
         """The stage's name, by which a report calls it."""
-        return self.python.__name__
+        return self.python.__name__ + self.variant[0]
+
+    @property
+    def description(self) -> str:
+        """The stage in words: what it is, and what it computes."""
+        return "\n".join(filter(None, (inspect.getdoc(self.python), self.variant[1])))
+
+    @property
+    def result_struct(self) -> Any:
+        """The NamedTuple that it returns."""
+        return get_type_hints(self.python)["return"]
 
     @property
     def parameters(self) -> Mapping[str, Any]:

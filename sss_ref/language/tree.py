@@ -5,8 +5,8 @@ A type is the Python object that stands in the signature: float, int, bool, vec3
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from typing import Any, Protocol, runtime_checkable
 
 
@@ -156,3 +156,45 @@ def names_in(expression: Expression) -> Iterator[str]:
         yield expression.name
     for inner in children(expression):
         yield from names_in(inner)
+
+
+def expressions(body: Body) -> Iterator[Expression]:
+    """The right sides of all lines of a body."""
+    for statement in body.statements:
+        block = statement.block if isinstance(statement, Loop) else (statement,)
+        yield from (assign.value for assign in block)
+    yield from body.result.values.values()
+
+
+def with_child(expression: Expression, index: int, child: Expression) -> Expression:
+    """An expression with one of its `children` replaced."""
+
+    def put(parts: tuple[Expression, ...]) -> tuple[Expression, ...]:
+        return (*parts[:index], child, *parts[index + 1 :])
+
+    match expression:
+        case Member():
+            return replace(expression, vector=child)
+        case Operation(operands=parts):
+            return replace(expression, operands=put(parts))
+        case Construct(parts=parts):
+            return replace(expression, parts=put(parts))
+        case Call(arguments=parts):
+            return replace(expression, arguments=put(parts))
+        case Element(array=array):
+            return replace(expression, index=child) if index == 1 else replace(expression, array=array)
+    raise AssertionError(expression)
+
+
+def mapped(body: Body, put: Callable[[Expression], Expression]) -> Body:
+    """A body with the right side of every line put through a function; itself if that changes nothing."""
+    if all(put(expression) is expression for expression in expressions(body)):
+        return body
+    statements = tuple(
+        replace(each, block=tuple(replace(assign, value=put(assign.value)) for assign in each.block))
+        if isinstance(each, Loop)
+        else replace(each, value=put(each.value))
+        for each in body.statements
+    )
+    values = {name: put(value) for name, value in body.result.values.items()}
+    return replace(body, statements=statements, result=replace(body.result, values=values))

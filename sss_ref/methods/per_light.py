@@ -16,8 +16,9 @@ class Lights:
     """The lights of a scene by their numbers: 0 for the only one, 1, 2 ... for several."""
 
     def __init__(self, settings: SceneFile) -> None:
+        self.types = [light.type for light in settings.lights]
         self.falloffs = [light.falloff for light in settings.lights]
-        count = len(self.falloffs)
+        count = len(self.types)
         self.numbers = [0] if count == 1 else list(range(1, count + 1))
 
     def each(self, stage: Stage) -> tuple[Stage, ...]:

@@ -15,6 +15,7 @@ from sss_ref.scene_file.settings import SceneFile
 ALBEDO = {"constant": albedo_constant, "texture": albedo_textured, "material": albedo_by_material}
 SHADOW_LOOKUP = {"nearest": shadow_map.shadow_lookup_nearest, "bilinear": shadow_map.shadow_lookup_bilinear}
 SHADOW_TEST = {"slope": shadow_map.directly_lit_slope, "literal": shadow_map.directly_lit_literal}
+BACK_POINT = {"point": shadow_map.back_point, "directional": shadow_map.back_point_parallel}
 FALLOFF = {"none": phong.light_constant, "inverse_square": phong.light_inverse_square}
 FORM = {
     "ratio": translucency.translucency_ratio,
@@ -66,10 +67,10 @@ def shadow_test(settings: SceneFile) -> Stage:
 def light_at_the_surface(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
     """For every light: what the shadow map knows of a point, whether the light reaches it, and how strong it is."""
     stages: list[Stage] = []
-    for light, falloff in zip(lights.numbers, lights.falloffs, strict=True):
+    for light, kind, falloff in zip(lights.numbers, lights.types, lights.falloffs, strict=True):
         own = (
             SHADOW_LOOKUP[settings.shadow_map.filter],
-            shadow_map.back_point,
+            BACK_POINT[kind],
             shadow_test(settings),
             FALLOFF[falloff],
         )

@@ -10,8 +10,9 @@ class LightUniforms(NamedTuple):
 
     light_clip_from_model: mat4
     light_clip_from_world: mat4
-    light_position: vec3  # scene units, world space
+    light_position: vec3  # scene units, world space; of a directional light on the plane that distances count from
+    light_direction: vec3  # unit vector, world space: the way that its view looks, and parallel rays go
     light_color: vec3  # linear RGB
     light_intensity: float
-    light_texel_size: float  # width of a texel of the shadow map at a clip depth of 1, scene units
+    light_texel_size: float  # width of a texel of the shadow map where the clip depth w is 1, scene units
     light_clear_distance: float  # what stands in the shadow map where nothing is drawn, scene units

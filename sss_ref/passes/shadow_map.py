@@ -139,6 +139,16 @@ def back_point(position_world: vec3, light_position: vec3, stored_distance: floa
     return BackPoint(entry_point, length(position_world - entry_point))
 
 
+@stage(source="paper 3.2, for rays that are parallel")
+def back_point_parallel(
+    position_world: vec3, light_position: vec3, light_direction: vec3, stored_distance: float, shadow_valid: bool
+) -> BackPoint:
+    """Go back against the rays by what the fragment is farther away than the stored distance: the way in the body."""
+    inside = dot(position_world - light_position, light_direction) - stored_distance
+    entry_point = select(shadow_valid, position_world - light_direction * inside, position_world)
+    return BackPoint(entry_point, length(position_world - entry_point))
+
+
 class DirectlyLit(NamedTuple):
     """The paper's two cases: whether the point on the shadow map is this very fragment."""
 

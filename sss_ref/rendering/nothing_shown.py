@@ -28,8 +28,8 @@ def nothing_drawn(scene: Scene, this_pass: Pass, sketch: Sketch) -> Iterator[str
     if unseen(view, surface, key, table) or not surface.has_area:
         yield told
     else:
-        fov_y = framing(view, surface.bounds)
-        yield f"{told}, no triangle is at the middle of a pixel; set {key}.fov_y = {fov_y:.3g} or move it"
+        enough = framing(view, surface.bounds)
+        yield f"{told}, no triangle is at the middle of a pixel; set {key}.{enough} or move it"
 
 
 def hidden(scene: Scene, image: np.ndarray) -> Iterator[str]:

@@ -1,6 +1,7 @@
 """The methods by name."""
 
 from sss_ref.language.pipeline import Method
+from sss_ref.methods.parallel_views import with_parallel_rays
 from sss_ref.methods.published import printed_methods
 from sss_ref.methods.screen_space import screen_space
 from sss_ref.methods.texture_space import texture_space
@@ -13,4 +14,4 @@ PUBLISHED = {"screen_space": printed_methods.screen_space, "texture_space": prin
 def method_of(settings: SceneFile) -> Method:
     """The method that settings ask for, as the text has it or as the printed figures have it."""
     methods = PUBLISHED if settings.preset == "published" else METHODS
-    return methods[settings.method](settings)
+    return with_parallel_rays(methods[settings.method](settings), settings)

@@ -23,8 +23,8 @@ from sss_ref.scene_file.quantities import FLOAT32_OVERFLOW
 from sss_ref.scene_file.reading import Document, opened, validated
 from sss_ref.scene_file.settings import MeshSettings, SceneFile, ShadowMap
 from sss_ref.scene_file.shipped import find_mesh
-from sss_ref.scene_file.viewpoints import Camera, LightSettings
-from sss_ref.view.light_fit import fitted
+from sss_ref.scene_file.viewpoints import Camera, PointLight
+from sss_ref.view.light_fit import AnyLight, fitted, placed
 from sss_ref.view.matrices import placement
 from sss_ref.view.views import Light, View, camera_view, light_of
 
@@ -112,9 +112,11 @@ def _placed_camera(camera: Camera, surface: PlacedMesh) -> View:
     return _finite(camera_view(camera), surface)
 
 
-def _placed_light(light: LightSettings, shadow_map: ShadowMap, surface: PlacedMesh) -> tuple[LightSettings, Light]:
+def _placed_light(light: AnyLight, shadow_map: ShadowMap, surface: PlacedMesh) -> tuple[AnyLight, Light]:
     """The light with nothing left open, and what the passes see of it."""
-    if surface.encloses(np.array(light.position)):
+    light = placed(light, surface.bounds)
+    assert light.position is not None  # placed: see light_fit.py
+    if isinstance(light, PointLight) and surface.encloses(np.array(light.position)):
         raise SceneError(f"expected a light outside the mesh, got {list(light.position)} inside; move it out")
     light = fitted(light, surface.bounds, shadow_map.width / shadow_map.height)
     result = light_of(light, shadow_map)

@@ -12,6 +12,7 @@ from sss_ref.language import Stage
 from sss_ref.language.names import Name
 from sss_ref.language.pipeline import Method, Pass
 from sss_ref.mesh.triangles import Mesh, array_hash
+from sss_ref.methods.parallel_views import with_parallel_rays
 from sss_ref.passes.buffers import described
 from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.forms import Form, forms_of, size_of
@@ -42,7 +43,7 @@ class Scene:
     @cached_property
     def method(self) -> Method:
         """The passes that the scene asks for, with the user's stages in their places (see `sss_ref.with_stage`)."""
-        return with_stages(method_of(self.settings), self.own_stages)
+        return with_parallel_rays(with_stages(method_of(self.settings), self.own_stages), self.settings)
 
     @cached_property
     def uniforms(self) -> Mapping[str, Any]:

@@ -57,12 +57,13 @@ def _of_camera(settings: SceneFile, surface: PlacedMesh, camera: View) -> Iterat
 
 def _of_light(settings: SceneFile, surface: PlacedMesh, light: Light, number: int) -> Iterator[str]:
     key = f"lights.{number}"
-    if surface.bounds.holds(light.position) and not surface.is_watertight:
+    has_no_place = light.view.lens.is_parallel
+    if surface.bounds.holds(light.position) and not surface.is_watertight and not has_no_place:
         yield "it may be inside the mesh, which has holes"
     yield from _far_light(surface.bounds, light, key)
     found = unseen(light.view, surface, key, settings.lights[number])
     if found:
-        yield f"of its shadow map: {found}, or leave target, fov_y, near and far to be fitted"
+        yield f"of its shadow map: {found}, or leave target, {light.view.lens.key}, near and far to be fitted"
 
 
 def _far_light(bounds: Bounds, light: Light, key: str) -> Iterator[str]:

@@ -41,6 +41,7 @@ def uniforms_of(
         "camera_pixel_size": camera.pixel_size,
         "ahead": _ahead(settings, camera),
         "mm_per_unit": settings.mm_per_unit,
+        "camera_direction": camera.direction,
         "light_count": len(lights),
         **_of_lights(settings, world_from_model, lights),
         "lookup_inset": settings.shadow_map.lookup_inset,
@@ -72,7 +73,7 @@ def uniforms_of(
 def _ahead(settings: SceneFile, camera: View) -> Vector:
     """The camera's direction divided by the kernel's reach in scene units; 0 for a kernel that reaches nowhere."""
     reach = settings.blur.reach * settings.blur.mm_per_offset / settings.mm_per_unit
-    return -camera.view[2, :3] / reach if reach > SHORTEST_REACH else np.zeros(3)
+    return camera.direction / reach if reach > SHORTEST_REACH else np.zeros(3)
 
 
 def stretch(settings: SceneFile, points: NDArray[np.float64], mesh: Mesh) -> dict[str, NDArray[np.float32]]:
@@ -109,6 +110,7 @@ def _of_light(light: Light, settings: SceneFile, world_from_model: Matrix) -> Li
         "light_clip_from_model": light.view.clip_from(world_from_model),
         "light_clip_from_world": light.view.clip_from(np.eye(4)),
         "light_position": light.position,
+        "light_direction": light.view.direction,
         "light_color": light.color,
         "light_intensity": light.intensity,
         "light_texel_size": light.view.pixel_size,

@@ -4,10 +4,9 @@ import math
 
 import numpy as np
 
-from sss_ref.numerics.trigonometry import tangent
 from sss_ref.scene.placed_mesh import PlacedMesh
-from sss_ref.scene_file.viewpoints import Camera, FreeCamera, LightSettings
-from sss_ref.view.light_fit import MARGIN, Bounds
+from sss_ref.scene_file.viewpoints import Camera, FreeCamera
+from sss_ref.view.light_fit import MARGIN, AnyLight, Bounds
 from sss_ref.view.matrices import Vector, length, transformed
 from sss_ref.view.views import View
 
@@ -15,7 +14,7 @@ FEWEST_PIXELS = 4  # across the mesh; fewer show nothing of it, if the picture h
 SMALLEST_SHARE = 0.1  # of the picture's width or height
 
 
-def unseen(view: View, surface: PlacedMesh, key: str, table: Camera | LightSettings) -> str:
+def unseen(view: View, surface: PlacedMesh, key: str, table: Camera | AnyLight) -> str:
     """Why a view sees nothing of the mesh and what to set, or "" where it may see some of it.
 
     key: of the scene file, "camera" or "lights.0"; table: what stands there. Only what is certain for all vertices is
@@ -31,7 +30,7 @@ def unseen(view: View, surface: PlacedMesh, key: str, table: Camera | LightSetti
     if farthest < view.near:
         before = f"the whole mesh lies before near = {view.near:g}, up to {farthest:.3g}"
         return f"{before}; set {key}.near = {max(0.9 * nearest, farthest / 1000):.3g}"
-    height = tangent(view.fov_y / 2) * ahead  # half of what the view holds there
+    height = view.lens.half_height(ahead)  # half of what the view holds there
     width = height * (view.width / view.height)
     if any((side > limit).all() for side, limit in ((x, width), (-x, width), (y, height), (-y, height))):
         return f"the whole mesh is beside its picture; set {turned(view, surface.bounds, key, table)}"
@@ -41,17 +40,20 @@ def unseen(view: View, surface: PlacedMesh, key: str, table: Camera | LightSetti
     pixels = float((shares * (view.width, view.height)).max())
     if pixels < FEWEST_PIXELS and shares.max() < SMALLEST_SHARE:
         small = f"the mesh is {pixels:.2g} of its {view.width} x {view.height} pixels wide"
-        return f"{small}; set {key}.fov_y = {framing(view, surface.bounds):.3g}"
+        return f"{small}; set {key}.{framing(view, surface.bounds)}"
     return ""
 
 
-def framing(view: View, bounds: Bounds) -> float:
-    """The vertical field of view in degrees that holds the mesh's bounding sphere from where the view is."""
-    half = math.asin(min(MARGIN * bounds.radius / length(bounds.centre - view.eye), 1.0))
-    return math.degrees(2 * half) * max(1.0, view.height / view.width)
+def framing(view: View, bounds: Bounds) -> str:
+    """The key, with its value, that lets a view hold the mesh's bounding sphere from where it is."""
+    radius, taller = MARGIN * bounds.radius, max(1.0, view.height / view.width)
+    if view.lens.is_parallel:
+        return f"{view.lens.key} = {2 * radius * taller:.3g}"
+    half = math.asin(min(radius / length(bounds.centre - view.eye), 1.0))
+    return f"{view.lens.key} = {math.degrees(2 * half) * taller:.3g}"
 
 
-def turned(view: View, bounds: Bounds, key: str, table: Camera | LightSettings) -> str:
+def turned(view: View, bounds: Bounds, key: str, table: Camera | AnyLight) -> str:
     """The keys that turn a view towards the middle of the mesh, with their values."""
     if not isinstance(table, FreeCamera):
         return f"{key}.target = {written(bounds.centre)}"

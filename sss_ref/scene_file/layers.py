@@ -12,13 +12,16 @@ DEFAULT_PRESET = "paper"
 def filled(data: Mapping[str, Any]) -> dict[str, Any]:
     """`data` on top of the preset it names; a preset nobody knows is left for validation to report.
 
-    What a preset has of lights lies below every light.
+    What a preset has of lights lies below every light, and what it has of a perspective only below one.
     """
     name = data.get("preset", DEFAULT_PRESET)
     preset = PRESETS.get(name if isinstance(name, str) else DEFAULT_PRESET, PRESETS[DEFAULT_PRESET])
     if name == "robust" and _is_in_mm(data):
         preset = laid(preset, ROBUST_IN_MM)
-    lights = data.get("lights")
+    camera, lights = data.get("camera"), data.get("lights")
+    if isinstance(camera, Mapping) and camera.get("type") == "orthographic":
+        lens = {key: value for key, value in preset.get("camera", {}).items() if key != "fov_y"}
+        preset = {**preset, "camera": lens}
     if isinstance(lights, list | tuple):
         data = {**data, "lights": [laid(preset.get("lights", {}), light) for light in lights]}
     return {key: value for key, value in laid(preset, data).items() if key in data or key != "lights"}

@@ -29,7 +29,7 @@ ROBUST_IN_MM: dict[str, Any] = {"blur": {"unit": "mm", "follow_surface": True}}
 # What the printed figures compute: the paper's application, maps of eight bits included (methods/published/).
 PUBLISHED: dict[str, Any] = {
     "camera": {"fov_y": 45.0, "near": 0.001, "far": 1000.0, "width": 1600, "height": 900},
-    "lights": {"target": [0.0, 0.0, 0.0], "fov_y": 90.0, "near": 0.001, "far": 1000.0},
+    "lights": {"type": "point", "target": [0.0, 0.0, 0.0], "fov_y": 90.0, "near": 0.001, "far": 1000.0},
     "shadow_map": {
         "width": 1600,
         "height": 900,
@@ -90,18 +90,21 @@ def misfits(data: Mapping[str, Any]) -> Iterator[tuple[KeyPath, str]]:
             yield path, told(key, 'another value without preset "published"', shown(value), "choose one, or the preset")
     if name == "published":
         yield from _misfit_lights(data.get("lights"))
+        if _at(data, ("camera", "type")) == "orthographic":
+            yield ("camera", "type"), _misfit(("camera", "type"), "a perspective", "orthographic")
 
 
 def _misfit_lights(lights: Any) -> Iterator[tuple[KeyPath, str]]:
-    """The figures have one light, without falloff."""
+    """The figures have one light, at a point, without falloff."""
     if not isinstance(lights, list | tuple):
         return
     if len(lights) > 1:
         yield ("lights",), _misfit(("lights",), "one light", len(lights))
     for number, light in enumerate(lights):
-        path = ("lights", number, "falloff")
-        if isinstance(light, Mapping) and light.get("falloff", "none") != "none":
-            yield path, _misfit(path, '"none"', light["falloff"])
+        for key, usual in (("type", "point"), ("falloff", "none")):
+            path = ("lights", number, key)
+            if isinstance(light, Mapping) and light.get(key, usual) != usual:
+                yield path, _misfit(path, shown(usual), light[key])
 
 
 def _misfit(path: KeyPath, expected: str, value: Any) -> str:

@@ -34,7 +34,10 @@ from sss_ref.scene_file.viewpoints import Camera, LightSettings
 
 KernelName = Annotated[Literal["table1", "hbh09", "schoenberger"], Tag("name")]
 KernelTable = Annotated[tuple[TapRow, ...], Field(strict=False), requiring(len, "at least one row"), Tag("table")]
-LIGHTS = requiring(lambda lights: 1 <= len(lights) <= 16, "1 to 16 lights", "add or remove [[lights]]")
+MOST_LIGHTS = 64
+LIGHTS = requiring(
+    lambda lights: 1 <= len(lights) <= MOST_LIGHTS, f"1 to {MOST_LIGHTS} lights", "add or remove [[lights]]"
+)
 MeshColor = Annotated[
     Annotated[Literal["material"], Tag("name")] | Annotated[Color, Tag("rgb")],
     Discriminator(lambda value: "name" if isinstance(value, str) else "rgb"),

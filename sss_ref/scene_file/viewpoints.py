@@ -1,8 +1,9 @@
 """The [camera] and [[lights]] tables: from where the scene is seen, and from where it is lit."""
 
+from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import Field, ValidationInfo, field_validator
+from pydantic import Discriminator, Field, Tag, ValidationInfo, field_validator
 
 from sss_ref.errors.wording import unmet
 from sss_ref.scene_file.quantities import (
@@ -18,11 +19,9 @@ from sss_ref.scene_file.quantities import (
 )
 
 
-class Lens(Table):
-    """What every type of [camera] has: a perspective projection onto width x height pixels."""
+class Picture(Table):
+    """What every type of [camera] has: width x height pixels, and how near and far it sees."""
 
-    fov_y: FieldOfView = 45.0
-    """Vertical field of view, degrees."""
     near: Positive = 0.1
     """Distance of the near plane, scene units."""
     far: Positive = 100.0
@@ -36,6 +35,13 @@ class Lens(Table):
     @classmethod
     def _beyond_near(cls, far: float, info: ValidationInfo) -> float:
         return _beyond(far, info.data.get("near"))
+
+
+class Lens(Picture):
+    """What every [camera] with a perspective has."""
+
+    fov_y: FieldOfView = 45.0
+    """Vertical field of view, degrees."""
 
 
 class OrbitCamera(Lens):
@@ -81,13 +87,41 @@ class FreeCamera(Lens):
     """Degrees upward."""
 
 
-Camera = Annotated[OrbitCamera | LookAtCamera | FreeCamera, Field(discriminator="type")]
+class OrthographicCamera(Picture):
+    """A camera without perspective, as in a technical drawing: what is far looks as large as what is near."""
+
+    type: Literal["orthographic"]
+    eye: Vector
+    """A point of the plane that near and far count from; the middle of the picture lies on the line to target."""
+    target: Vector = (0.0, 0.0, 0.0)
+    """The point looked at."""
+    up: Direction = (0.0, 1.0, 0.0)
+    """Upward in the image; +Z instead where it is nearly parallel to the line of sight."""
+    view_height: Positive
+    """Height of what the picture shows, scene units; the width follows from the pixels, which are square."""
+
+    @field_validator("target")
+    @classmethod
+    def _elsewhere(cls, target: Any, info: ValidationInfo) -> Any:
+        return _away_from(target, info.data.get("eye"))
 
 
-class LightSettings(Table):
-    """[[lights]]: a point light, seen as a camera by its shadow map. What is left out is fitted around the mesh."""
+Camera = Annotated[OrbitCamera | LookAtCamera | FreeCamera | OrthographicCamera, Field(discriminator="type")]
 
-    position: Vector
+
+class LightTable(Table):
+    """What every type of [[lights]] has. What is left out of its shadow map's view is fitted around the mesh.
+
+    Its place is `position`, or else, as the camera's orbit, azimuth and elevation about `target` at a `distance`.
+    """
+
+    azimuth: Number | None = None
+    """Instead of position: degrees about +Y; 0 shines from +Z, 90 from +X."""
+    elevation: Number | None = None
+    """Instead of position: degrees above the horizon."""
+    distance: Positive | None = None
+    """Instead of position: how far from target it is, scene units."""
+    position: Vector | None = None
     """World position of the light."""
     target: Vector | None = None
     """The point its shadow map looks at; fitted: the middle of the mesh's bounding box."""
@@ -97,14 +131,20 @@ class LightSettings(Table):
     """Linear RGB."""
     intensity: NonNegative = 1.0
     """Factor on the colour."""
-    fov_y: FieldOfView | None = None
-    """Vertical field of view of the shadow map, degrees; fitted: the bounding sphere just fits."""
     near: Positive | None = None
     """Near plane of the shadow map, scene units; fitted: in front of the bounding sphere."""
     far: Positive | None = None
     """Far plane of the shadow map, scene units; fitted: behind the bounding sphere."""
-    falloff: Literal["none", "inverse_square"] = "none"
-    """Decrease with the distance D to the light: none, or 1 / D^2."""
+
+    @field_validator("position")
+    @classmethod
+    def _one_place(cls, position: Any, info: ValidationInfo) -> Any:
+        given = [key for key in ORBIT if info.data.get(key) is not None]
+        if position is not None and given:
+            raise unmet(f"no position beside {given[0]}", "remove one of the two")
+        if position is None and not ({"azimuth", "elevation"} & set(given)):
+            raise unmet("a value", "add it, or azimuth, elevation and distance", "nothing")
+        return position
 
     @field_validator("target")
     @classmethod
@@ -115,6 +155,60 @@ class LightSettings(Table):
     @classmethod
     def _beyond_near(cls, far: float | None, info: ValidationInfo) -> float | None:
         return far if far is None else _beyond(far, info.data.get("near"))
+
+
+ORBIT = ("azimuth", "elevation", "distance")
+
+
+class PointLight(LightTable):
+    """A light at a point, from which it shines in all directions; its shadow map is a perspective view."""
+
+    type: Literal["point"] = "point"
+    fov_y: FieldOfView | None = None
+    """Vertical field of view of the shadow map, degrees; fitted: the bounding sphere just fits."""
+    falloff: Literal["none", "inverse_square"] = "none"
+    """Decrease with the distance D to the light: none, or 1 / D^2."""
+
+    @field_validator("distance")
+    @classmethod
+    def _far_enough(cls, distance: float | None, info: ValidationInfo) -> float | None:
+        if distance is None and any(info.data.get(key) is not None for key in ORBIT[:2]):
+            raise unmet("a value", "add it: how far the light is from its target", "nothing")
+        return distance
+
+    @property
+    def opening(self) -> float | None:
+        """How much its shadow map sees: fov_y."""
+        return self.fov_y
+
+
+class DirectionalLight(LightTable):
+    """A light that is infinitely far away: all its rays go the way from position to target.
+
+    Its distances count from the plane through position at right angles to that. Its shadow map is an orthographic view.
+    """
+
+    type: Literal["directional"]
+    view_height: Positive | None = None
+    """Height of what the shadow map holds, scene units; fitted: the bounding sphere just fits."""
+    falloff: Literal["none"] = "none"
+    """Parallel light does not fade."""
+
+    @property
+    def opening(self) -> float | None:
+        """How much its shadow map sees: view_height."""
+        return self.view_height
+
+
+LightSettings = Annotated[
+    Annotated[PointLight, Tag("point")] | Annotated[DirectionalLight, Tag("directional")],
+    Discriminator(lambda value: type_of(value)),
+]
+
+
+def type_of(light: Any) -> str:
+    """The type that a [[lights]] table says it has; a point light where it says none."""
+    return str(light.get("type", "point") if isinstance(light, Mapping) else getattr(light, "type", "point"))
 
 
 def _beyond(far: float, near: float | None) -> float:

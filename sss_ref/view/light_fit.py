@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from sss_ref.errors import SceneError
 from sss_ref.numerics.trigonometry import fifty_digits
-from sss_ref.scene_file.viewpoints import LightSettings
-from sss_ref.view.matrices import Vector, length
+from sss_ref.scene_file.viewpoints import ORBIT, DirectionalLight, PointLight
+from sss_ref.view.matrices import Vector, cross, dot, length, outward
 
 MARGIN = 1.05  # factor on the bounding sphere's radius
+AnyLight = PointLight | DirectionalLight
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,27 +37,52 @@ class Bounds:
         return bool(((self.low <= point) & (point <= self.high)).all())
 
 
-def fitted(light: LightSettings, bounds: Bounds, aspect: float) -> LightSettings:
-    """`light` with target, fov_y, near and far filled in; given ones stay.
+def fitted(light: AnyLight, bounds: Bounds, aspect: float) -> AnyLight:
+    """`light` with position, target, near, far, and fov_y or view_height filled in; given ones stay.
 
-    With the sphere's centre c, k = 1.05 * its radius and q = |c - light|: target = c, near = max(q - k, q / 1000),
-    far = q + k, and fov_y just holds the sphere. Raises SceneError if the light is too close for that.
+    With the sphere's centre c and k = 1.05 * its radius: target = c. Of a point light q = |c - light|,
+    near = max(q - k, q / 1000); of a directional one q is that distance along its rays, near = q - k; far = q + k, and
+    the map just holds the sphere. Raises SceneError if the light is too close for that.
     """
-    target = bounds.centre if light.target is None else np.array(light.target)
-    if None not in (light.fov_y, light.near, light.far):
-        return light.model_copy(update={"target": tuple(target.tolist())})
-    to_centre = bounds.centre - np.array(light.position)
-    q, k = length(to_centre), MARGIN * bounds.radius
+    light = placed(light, bounds)
+    if None not in (light.opening, light.near, light.far):
+        return light
+    to_centre, ahead = bounds.centre - np.array(light.position), np.array(light.target) - np.array(light.position)
+    flat = isinstance(light, DirectionalLight)
+    q, k = (dot(to_centre, ahead) / length(ahead) if flat else length(to_centre)), MARGIN * bounds.radius
+    key = "view_height" if flat else "fov_y"
     if q <= k:
         raise SceneError(
             f"expected a light farther than {k:g} from the mesh's centre, got {q:g}; "
-            "move it or give fov_y, near and far"
+            f"move it or give {key}, near and far"
         )
-    filled = {"near": max(q - k, q / 1000), "far": q + k}
-    if light.fov_y is None:
-        filled["fov_y"] = field_of_view(to_centre, target - np.array(light.position), k, aspect)
-    given = light.model_dump(exclude_none=True)
-    return _checked(light.model_copy(update={"target": tuple(target.tolist()), **filled, **given}))
+    filled = {"near": q - k if flat else max(q - k, q / 1000), "far": q + k}
+    if light.opening is None:
+        filled[key] = (view_height if flat else field_of_view)(to_centre, ahead, k, aspect)
+    return _checked(light.model_copy(update={**filled, **light.model_dump(exclude_none=True)}))
+
+
+def placed(light: AnyLight, bounds: Bounds) -> AnyLight:
+    """`light` with target and position filled in: target + distance * outward(azimuth, elevation).
+
+    Where a directional light gives no distance, its plane lies 2 k before the mesh's centre (see `fitted`).
+    """
+    target = bounds.centre if light.target is None else np.array(light.target)
+    update: dict[str, Any] = {"target": tuple(target.tolist())}
+    if light.position is None:
+        towards = outward(light.azimuth or 0.0, light.elevation or 0.0)
+        distance = light.distance or 2 * MARGIN * bounds.radius + dot(bounds.centre - target, towards)
+        update |= {"position": tuple((target + distance * towards).tolist()), **dict.fromkeys(ORBIT)}
+    return light.model_copy(update=update)
+
+
+def view_height(to_centre: Vector, ahead: Vector, radius: float, aspect: float) -> float:
+    """The height of what an eye sees that looks along `ahead`, its rays parallel, and holds a sphere at `to_centre`.
+
+    2 * (radius + how far the sphere's centre is beside the line of sight), divided by the aspect where it is < 1.
+    """
+    beside = length(cross(to_centre, ahead)) / length(ahead)
+    return 2 * (radius + beside) / min(aspect, 1.0)
 
 
 def field_of_view(to_centre: Vector, to_target: Vector, radius: float, aspect: float) -> float:
@@ -90,7 +116,7 @@ def _norm(v: Vector) -> Any:
     return mp.sqrt(sum(mp.mpf(x) ** 2 for x in v.tolist()))
 
 
-def _checked(light: LightSettings) -> LightSettings:
+def _checked(light: AnyLight) -> AnyLight:
     if light.near >= light.far:  # type: ignore[operator]
         raise SceneError(
             f"expected near < far, got near {light.near:g} and far {light.far:g} after fitting; give both or neither"

@@ -67,6 +67,15 @@ def rotation(axis: int, degrees: float) -> Matrix:
     return matrix
 
 
+def outward(azimuth: float, elevation: float) -> Vector:
+    """The direction from the middle of a globe to a place on it: (cos el * sin az, sin el, cos el * cos az).
+
+    azimuth: degrees about +Y, 0 towards +Z, 90 towards +X. elevation: degrees above the horizon.
+    """
+    level = cosine(elevation)
+    return np.array([level * sine(azimuth), sine(elevation), level * cosine(azimuth)])
+
+
 def placement(scale: Vector, rotate_degrees: Vector, translate: Vector) -> Matrix:
     """world_from_model = translate * (Z * (Y * (X * scale))): scaled first, translated last."""
     matrix = scaling(scale)
@@ -106,6 +115,20 @@ def perspective(fov_y: float, aspect: float, near: float, far: float) -> Matrix:
     matrix[2, 2] = (far + near) / (near - far)
     matrix[2, 3] = (2 * far * near) / (near - far)
     matrix[3, 2] = -1
+    return matrix
+
+
+def orthographic(view_height: float, aspect: float, near: float, far: float) -> Matrix:
+    """clip_from_view in OpenGL's convention for parallel rays: z in [-1, 1], w = 1.
+
+    view_height: of what the picture shows, scene units; the others as in `perspective`.
+    """
+    matrix = np.zeros((4, 4))
+    matrix[0, 0] = 2 / (view_height * aspect)
+    matrix[1, 1] = 2 / view_height
+    matrix[2, 2] = 2 / (near - far)
+    matrix[2, 3] = (far + near) / (near - far)
+    matrix[3, 3] = 1
     return matrix
 
 

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from sss_ref.dump.depths import ray_cosines, window_depth, window_loss
-from sss_ref.dump.loss import LOSSES, Loss
+from sss_ref.dump.loss import LOSSES, ROUNDING, Loss
+from sss_ref.view.lenses import Orthographic, Perspective
 from sss_ref.view.views import View
 
-VIEW = View("camera", np.zeros(3), np.array([0, 0, -1.0]), np.array([0, 1.0, 0]), 40.0, 0.5, 20.0, 6, 4)
+VIEW = View("camera", np.zeros(3), np.array([0, 0, -1.0]), np.array([0, 1.0, 0]), Perspective(40.0), 0.5, 20.0, 6, 4)
 
 
 def points(seed=1):
@@ -67,3 +68,19 @@ def test_the_loss_encloses_what_rounding_the_distance_does(kind, dtype, loss):
         least = window_loss(LOSSES.get(loss, Loss()), depth, VIEW).least
         assert np.abs(depth[..., 0] - by_the_matrix(at)).max() <= least
         assert least < (2e-3 if dtype == "f2" else 1e-6)
+
+
+FLAT = View("camera", np.zeros(3), np.array([0, 0, -1.0]), np.array([0, 1.0, 0]), Orthographic(3.0), 0.5, 20.5, 6, 4)
+
+
+@pytest.mark.parametrize(("kind", "distance"), [("view", 5.5), ("ray", 5.5), ("ray_from_near", 5.0)])
+def test_parallel_rays_have_even_depths(kind, distance):
+    depth = window_depth(np.full((4, 6, 1), distance), kind, FLAT)
+    assert (depth == 0.25).all()  # 5 of 20 units behind the near plane
+
+
+def test_a_loss_is_even_where_depths_are():
+    """A step of .2 units is .01 of the 20 that the depth has; a share counts at the farthest that was drawn, 15.5."""
+    depth = np.float32([[0.25, 0.75, 1.0]])
+    assert window_loss(Loss(least=0.2), depth, FLAT).least == 0.2 / 20 + ROUNDING
+    assert window_loss(Loss(relative=0.1), depth, FLAT).least == (0.1 + ROUNDING) * 15.5 / 20 + ROUNDING

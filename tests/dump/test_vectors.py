@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from sss_ref.dump.vectors import in_world, octahedral, unit_range
+from sss_ref.view.lenses import Perspective
 from sss_ref.view.views import View
 
 
@@ -47,7 +48,9 @@ def test_unit_range():
 
 
 def view(eye, target):
-    return View("camera", np.float64(eye), np.float64(target), np.float64([0, 1, 0]), 40.0, 0.1, 100.0, 4, 4)
+    return View(
+        "camera", np.float64(eye), np.float64(target), np.float64([0, 1, 0]), Perspective(40.0), 0.1, 100.0, 4, 4
+    )
 
 
 def test_view_space_by_hand():

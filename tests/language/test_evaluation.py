@@ -27,7 +27,9 @@ def test_values_have_the_bits_of_array_code(stage):
     expected = run(arrays, stage, inputs)
     for row, column in ((0, 0), (1, 4), (3, 5)):
         given = dict(zip(stage.parameters, inputs_at(stage, inputs, row, column), strict=True))
-        for own, value in run_body(stage.body, given).items():
+        with np.errstate(all="ignore"):
+            results = run_body(stage.body, given)
+        for own, value in results.items():
             buffer = expected[stage.writes[own]]
             got = np.array(components(value), buffer.dtype)
             assert got.tobytes() == np.atleast_1d(buffer[row, column]).tobytes()

@@ -154,7 +154,7 @@ def test_the_cases_hold_every_alternative_of_the_scene_file():
         "translucency.form": settings.TranslucencySettings.model_fields["form"],
         "translucency.combine": settings.TranslucencySettings.model_fields["combine"],
         "blur.mask": settings.Blur.model_fields["mask"],
-        "lights.0.falloff": viewpoints.LightSettings.model_fields["falloff"],
+        "lights.0.falloff": viewpoints.PointLight.model_fields["falloff"],
     }
     assert {key: set(get_args(field.annotation)) for key, field in alternatives.items()} == {
         key: set(stages) | ({"exact"} if key == "shadow_map.test" else set())  # that of preset `published`

@@ -6,6 +6,7 @@ from one_stage import call
 
 from sss_ref.passes.shadow_map import (
     back_point,
+    back_point_parallel,
     directly_lit_literal,
     directly_lit_slope,
     distance_to_light,
@@ -96,6 +97,18 @@ def test_back_point():
     inputs = {"position_world": (0, 0, -4), "light_position": (0, 0, 1), "stored_distance": 3}
     assert call(back_point, **inputs, shadow_valid=True) == ((0, 0, -2), 2)
     assert call(back_point, **inputs, shadow_valid=False) == ((0, 0, -4), 0)
+
+
+def test_back_point_parallel():
+    # The rays go down, 5 units from the plane z = 1 to the fragment; the surface lies 3 from it: 2 are left.
+    inputs = {
+        "position_world": (7, 0, -4),
+        "light_position": (0, 0, 1),
+        "light_direction": (0, 0, -1),
+        "stored_distance": 3,
+    }
+    assert call(back_point_parallel, **inputs, shadow_valid=True) == ((7, 0, -2), 2)
+    assert call(back_point_parallel, **inputs, shadow_valid=False) == ((7, 0, -4), 0)
 
 
 def lit_slope(normal, stored, position=(0, 0, -4), bias_abs=0.0):

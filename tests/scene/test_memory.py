@@ -14,7 +14,7 @@ from sss_ref.scene.memory import bytes_per_pixel
 from sss_ref.scene_file import color_texture as textures
 from sss_ref.scene_file.presets import ROBUST
 from sss_ref.scene_file.settings import Blur, MeshSettings
-from sss_ref.scene_file.viewpoints import LightSettings
+from sss_ref.scene_file.viewpoints import PointLight
 
 
 def problems(scene, **overrides):
@@ -32,14 +32,14 @@ PHONG_SUM = 12  # several lights have a `phong` each, and one together
 
 
 @pytest.mark.parametrize("unit", ["pixel", "mm"])
-@pytest.mark.parametrize("lights", range(1, 17))
+@pytest.mark.parametrize("lights", [*range(1, 17), 64])
 @pytest.mark.parametrize("method", METHODS)
 def test_every_buffer_counts(method, lights, unit):
     worked = {table: once + each * lights for table, (once, each) in BYTES[method].items()}
     worked["camera"] += PHONG_SUM if lights > 1 else 0
     for table, more in IN_MM[method].items():
         worked[table] += more if unit == "mm" else 0
-    tables = {"method": method, "preset": "robust", "lights": (LightSettings.model_construct(),) * lights}
+    tables = {"method": method, "preset": "robust", "lights": (PointLight.model_construct(),) * lights}
     blur = Blur.model_construct(**ROBUST["blur"] | {"unit": unit})
     assert bytes_per_pixel({**tables, "blur": blur}) == worked
     assert unit == "mm" or bytes_per_pixel(tables) == worked

@@ -49,7 +49,7 @@ WRONG = [
     ("camera.width", 1.0, "expected a whole number, got 1.0; write it without quotes or decimal point, such as 1024"),
     ("camera.width", 16385, f"expected a whole number from 1 to 16384, got 16385; {ANOTHER}"),
     ("camera.far", 0.1, "expected a distance beyond near = 0.1, got 0.1; make it larger or near smaller"),
-    ("lights", [], "expected 1 to 16 lights, got []; add or remove [[lights]]"),
+    ("lights", [], "expected 1 to 64 lights, got []; add or remove [[lights]]"),
     (
         "lights.0.target",
         [0, 0, 9],
@@ -165,16 +165,16 @@ def test_all_problems_of_a_file_at_once(tmp_path):
         f"{path}: camera.target: expected a point other than where it is looked from, got [0.0, 0.0, 0.0]; "
         "move one of the two",
         f"{path}: camera.widht: expected a known key, got this one; did you mean width?",
-        f"{path}: lights[0].position: expected a value, got nothing; add it",
+        f"{path}: lights[0].position: expected a value, got nothing; add it, or azimuth, elevation and distance",
         f"{path}: phong.shininess: expected a number, got true; write it without quotes, such as 1.5",
         "override: output.background[2]: expected a value, got nothing; add it",
     ]
 
 
 def test_too_many_lights(small):
-    small["lights"] *= 17
+    small["lights"] *= 65
     (line,) = problems(small)
-    assert line.startswith("scene: lights: expected 1 to 16 lights, got ")
+    assert line.startswith("scene: lights: expected 1 to 64 lights, got ")
     assert line.endswith("; add or remove [[lights]]")
 
 
@@ -185,10 +185,10 @@ def test_two_lights(small):
 
 def test_unknown_camera_type(small):
     assert problems({**small, "camera": {}}) == [
-        'scene: camera: expected a type, got {}; add type = "orbit", "look_at" or "free"'
+        'scene: camera: expected a type, got {}; add type = "orbit", "look_at", "free" or "orthographic"'
     ]
     assert problems(small, **{"camera.type": "orbital"}) == [
-        'override: camera: expected a type "orbit", "look_at", "free", '
+        'override: camera: expected a type "orbit", "look_at", "free", "orthographic", '
         'got {"type": "orbital", "distance": 5}; choose one of these'
     ]
 

@@ -36,7 +36,9 @@ COMMON = {
     },
     "lights": (
         {
+            **dict.fromkeys(("azimuth", "elevation", "distance")),
             "position": (0.0, 0.0, 9.0),
+            "type": "point",
             "target": None,
             "up": (0.0, 1.0, 0.0),
             "color": (1.0, 1.0, 1.0),

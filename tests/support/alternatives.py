@@ -34,13 +34,14 @@ def methods_with_settings():
         "translucency.form": alternatives(settings.TranslucencySettings, "form"),
         "translucency.combine": alternatives(settings.TranslucencySettings, "combine"),
         "blur.mask": alternatives(settings.Blur, "mask"),
-        "lights.0.falloff": alternatives(viewpoints.LightSettings, "falloff"),
+        "lights.0.falloff": alternatives(viewpoints.PointLight, "falloff"),
         "irradiance_map.mode": alternatives(settings.IrradianceMap, "mode"),
         "irradiance_map.image": alternatives(settings.IrradianceMap, "image"),
     }
     cases = [dict(zip(choices, values, strict=True)) for values in product(*choices.values())]
     for method in METHODS:
         cases.append({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * 3})
+        cases.append({"method": method, "lights.0.type": "directional"})
         cases.append({"method": method, "preset": "published"})
         for lights, mask, follow in product((1, 3), alternatives(settings.Blur, "mask"), (False, True)):
             blur = {"unit": "mm", "mask": mask, "follow_surface": follow}

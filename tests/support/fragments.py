@@ -57,6 +57,8 @@ def taps(rows: Sequence[tuple[float, ...]]) -> dict[str, Any]:
 
 UNIFORMS: dict[str, Any] = {
     "light_position": LIGHT_POSITION,
+    "light_direction": np.array([-0.48, -0.64, -0.6], np.float32),
+    "camera_direction": np.array([0.28, 0, -0.96], np.float32),
     "light_clip_from_world": LIGHT_CLIP_FROM_WORLD,
     "light_texel_size": np.float32(0.01),
     "light_color": np.array([1, 0.9, 0.7], np.float32),

@@ -150,6 +150,14 @@ def back_point(position_world, light_position, stored_distance, shadow_valid):
     return entry_point, length(minus(position_world, entry_point))
 
 
+def back_point_parallel(position_world, light_position, light_direction, stored_distance, shadow_valid):
+    if not shadow_valid:
+        return position_world, F(0)
+    inside = dot(minus(position_world, light_position), light_direction) - stored_distance
+    entry_point = minus(position_world, scaled(light_direction, inside))
+    return entry_point, length(minus(position_world, entry_point))
+
+
 def directly_lit_slope(
     position_world,
     normal_world,

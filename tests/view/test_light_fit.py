@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from sss_ref.errors import SceneError
-from sss_ref.scene_file.viewpoints import LightSettings
-from sss_ref.view.light_fit import Bounds, field_of_view, fitted
+from sss_ref.scene_file.viewpoints import DirectionalLight, PointLight
+from sss_ref.view.light_fit import Bounds, field_of_view, fitted, placed
 
 # A box from (-1, -1, -1) to (1, 1, 3): centre (0, 0, 1), and the farthest vertex is 2 away.
 POINTS = np.array([[-1, 0, 1], [1, 0, 1], [0, -1, 1], [0, 1, 1], [0, 0, 3], [0, 0, -1.0]])
@@ -19,7 +19,7 @@ def test_bounds_are_around_the_boxes_middle():
 
 
 def test_fit_from_outside():
-    light = fitted(LightSettings(position=(0, 0, 11)), BOUNDS, 1.0)
+    light = fitted(PointLight(position=(0, 0, 11)), BOUNDS, 1.0)
     assert light.target == (0, 0, 1)
     assert (light.near, light.far) == (10 - K, 10 + K)
     assert light.fov_y == pytest.approx(2 * math.degrees(math.asin(K / 10)), rel=1e-15)
@@ -27,14 +27,14 @@ def test_fit_from_outside():
 
 def test_near_is_never_below_a_thousandth_of_the_distance():
     q = np.nextafter(K, 3)
-    light = fitted(LightSettings(position=(0, 0, 1 + q)), BOUNDS, 1.0)
+    light = fitted(PointLight(position=(0, 0, 1 + q)), BOUNDS, 1.0)
     assert light.near == (1 + q - 1) / 1000
 
 
 def test_given_values_stay():
-    light = LightSettings(position=(0, 0, 11), target=(0, 0, 5), fov_y=20, near=0.5, far=50)
+    light = PointLight(position=(0, 0, 11), target=(0, 0, 5), fov_y=20, near=0.5, far=50)
     assert fitted(light, BOUNDS, 1.0) == light
-    partly = fitted(LightSettings(position=(0, 0, 11), near=0.5), BOUNDS, 1.0)
+    partly = fitted(PointLight(position=(0, 0, 11), near=0.5), BOUNDS, 1.0)
     assert (partly.near, partly.far) == (0.5, 10 + K)
 
 
@@ -51,7 +51,7 @@ def test_field_of_view_by_hand():
 
 def test_light_too_close():
     with pytest.raises(SceneError) as error:
-        fitted(LightSettings(position=(0, 0, 3)), BOUNDS, 1.0)
+        fitted(PointLight(position=(0, 0, 3)), BOUNDS, 1.0)
     assert str(error.value) == (
         "expected a light farther than 2.1 from the mesh's centre, got 2; move it or give fov_y, near and far"
     )
@@ -59,7 +59,7 @@ def test_light_too_close():
 
 def test_target_too_far_aside():
     with pytest.raises(SceneError) as error:
-        fitted(LightSettings(position=(0, 0, 11), target=(0, 5, 11)), BOUNDS, 1.0)
+        fitted(PointLight(position=(0, 0, 11), target=(0, 5, 11)), BOUNDS, 1.0)
     assert str(error.value) == (
         "expected a target near the mesh, got one that needs a field of view of 204.245 degrees; "
         "move the target or give fov_y, near and far"
@@ -68,5 +68,40 @@ def test_target_too_far_aside():
 
 def test_near_beyond_the_fitted_far():
     with pytest.raises(SceneError) as error:
-        fitted(LightSettings(position=(0, 0, 11), near=13), BOUNDS, 1.0)
+        fitted(PointLight(position=(0, 0, 11), near=13), BOUNDS, 1.0)
     assert str(error.value) == "expected near < far, got near 13 and far 12.1 after fitting; give both or neither"
+
+
+def test_a_directional_light_is_fitted_along_its_rays():
+    """The sphere's centre lies 12 before the plane and 5 beside the line of sight, (12, 5) being 13 away."""
+    bounds = Bounds(np.float64([-1, -1, -1]), np.float64([1, 1, 1]), np.zeros(3), 2.0)
+    given = {"type": "directional", "position": (5, 0, 12), "target": (5, 0, 0)}
+    light = fitted(DirectionalLight(**given), bounds, 1.0)
+    k = 1.05 * 2
+    assert (light.near, light.far) == (12 - k, 12 + k)
+    assert light.view_height == 2 * (k + 5)
+    assert fitted(DirectionalLight(**given), bounds, 0.5).view_height == 4 * (k + 5)
+    assert fitted(DirectionalLight(**given, near=2.0), bounds, 1.0).near == 2
+
+
+def test_a_directional_light_whose_plane_cuts_the_mesh():
+    bounds = Bounds(np.float64([-1, -1, -1]), np.float64([1, 1, 1]), np.zeros(3), 2.0)
+    with pytest.raises(SceneError, match=r"expected a light farther than 2.1 .*, got 1; .* view_height, near and far"):
+        fitted(DirectionalLight(type="directional", position=(9, 0, 1), target=(9, 0, 0)), bounds, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("azimuth", "elevation", "position"),
+    [(0, 0, (1, 2, 7)), (90, 0, (5, 2, 3)), (0, 90, (1, 6, 3)), (180, 0, (1, 2, -1))],
+)
+def test_a_place_on_the_orbit(azimuth, elevation, position):
+    light = placed(PointLight(azimuth=azimuth, elevation=elevation, distance=4, target=(1, 2, 3)), BOUNDS)
+    assert light.position == position
+    assert (light.azimuth, light.elevation, light.distance) == (None, None, None)
+
+
+def test_an_orbit_is_about_the_middle_of_the_mesh_and_a_direction_needs_no_distance():
+    bounds = Bounds(np.float64([-1, -1, -1]), np.float64([1, 1, 1]), np.float64([0, 0, 1]), 2.0)
+    assert placed(PointLight(azimuth=0, distance=4), bounds).position == (0, 0, 5)
+    light = placed(DirectionalLight(type="directional", azimuth=0, target=(3, 0, 0)), bounds)
+    assert light.position == (3, 0, 1 + 2 * 1.05 * 2)  # 2 k before the centre, along the rays

@@ -5,6 +5,7 @@ from sss_ref.errors import SceneError
 from sss_ref.view.matrices import (
     look_at,
     normal_matrix,
+    orthographic,
     perspective,
     placement,
     product,
@@ -84,3 +85,9 @@ def test_normal_matrix_is_the_inverse_transpose():
     sheared = np.eye(4)
     sheared[0, 1] = 2
     assert np.array_equal(normal_matrix(sheared), [[1, 0, 0], [-2, 1, 0], [0, 0, 1]])
+
+
+def test_orthographic():
+    """4 x 2 units wide and high, from 1 to 5 ahead: its corners are those of the clip space, and w is 1."""
+    corners = np.array([[-2, -1, -1, 1], [2, 1, -5, 1], [0, 0, -3, 1]]) @ orthographic(2.0, 2.0, 1.0, 5.0).T
+    assert corners.tolist() == [[-1, -1, -1, 1], [1, 1, 1, 1], [0, 0, 0, 1]]

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from sss_ref.scene_file.settings import ShadowMap
-from sss_ref.scene_file.viewpoints import FreeCamera, LightSettings, LookAtCamera, OrbitCamera
+from sss_ref.scene_file.viewpoints import FreeCamera, LookAtCamera, OrbitCamera, PointLight
 from sss_ref.view.views import camera_view, free_target, light_of, orbit_eye
 
 
@@ -41,7 +41,7 @@ def test_clip_matrix_is_the_product_rounded_once():
 
 
 def test_light_has_the_view_of_its_map():
-    light = LightSettings(position=(0, 0, 2), target=(0, 0, 0), fov_y=90, near=1, far=3, color=(1, 0.5, 0), intensity=2)
+    light = PointLight(position=(0, 0, 2), target=(0, 0, 0), fov_y=90, near=1, far=3, color=(1, 0.5, 0), intensity=2)
     result = light_of(light, ShadowMap(width=8, height=4))
     assert (result.view.width, result.view.height, result.falloff, result.intensity) == (8, 4, "none", 2)
     assert np.array_equal(result.view.projection[:2, :2], [[0.5, 0], [0, 1]])

@@ -27,11 +27,6 @@ def stage_source(stage: Stage, lengths: Mapping[str, int], dialect: Dialect = GL
     return library.text
 
 
-def result_struct(stage: Stage) -> Any:
-    """The NamedTuple whose name and fields the struct has that a stage returns."""
-    return get_type_hints(stage.python)["return"]
-
-
 class Library:
     """Definitions, each written once and after those it uses."""
 
@@ -101,13 +96,13 @@ class Library:
     def stage(self, stage: Stage, lengths: Mapping[str, int]) -> None:
         """Define a stage; lengths: uniform array, as the pass names it -> its length (of others: a texture)."""
         arrays = {own: stage.reads[own] for own, kind in stage.parameters.items() if get_origin(kind) is Array}
-        struct = result_struct(stage)
+        struct = stage.result_struct
         fields = [f"{self.dialect.declared(kind, name)};" for name, kind in stage.outputs.items()]
         self._define(struct, inspect.getdoc(struct), f"struct {struct.__name__}", fields, end="};")
         own = {name: lengths[read] for name, read in arrays.items() if read in lengths}
         head = self._signature(struct, self.dialect.name(stage.name), stage.parameters, own)
-        doc = f"{inspect.getdoc(stage.python)}\nSource: {stage.source}."
-        self._define(stage.python, doc, head, self._body(stage.body, own, struct.__name__))
+        doc = f"{stage.description}\nSource: {stage.source}."
+        self._define((stage.python, stage.variant), doc, head, self._body(stage.body, own, struct.__name__))
 
     def _define(self, key: Any, doc: str | None, head: str, lines: list[str], end: str = "}") -> bool:
         """Add a definition unless there is one with this key; whether that one says the same."""

@@ -8,7 +8,7 @@ import numpy as np
 
 from sss_ref.interpret.shader.dialect import Dialect, Parts
 from sss_ref.interpret.shader.glsl import GLSL
-from sss_ref.interpret.shader.library import Library, result_struct
+from sss_ref.interpret.shader.library import Library
 from sss_ref.interpret.shader.reads import Reads
 from sss_ref.language.names import Name
 from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL, Method, Pass
@@ -116,7 +116,7 @@ def _rectangle(dialect: Dialect) -> list[str]:
 def _vertex_lines(stage: Stage, dialect: Dialect) -> list[str]:
     """The call of a vertex stage; its results become the varyings and the clip position."""
     call = f"{dialect.name(stage.name)}({', '.join(map(dialect.name, stage.reads.values()))})"
-    lines = [f"{result_struct(stage).__name__} vertex = {call};"]
+    lines = [f"{stage.result_struct.__name__} vertex = {call};"]
     for own, name in stage.writes.items():
         value = f"vertex.{dialect.name(own)}"
         varying = [f"{dialect.name(name)} = {value};"]
@@ -165,7 +165,7 @@ def _call(stage: Stage, reads: Reads, used: set[str], dialect: Dialect) -> list[
     taken = [
         f"{dialect.declared(stage.outputs[own], name)} = {result}.{dialect.name(own)};" for own, name in wanted.items()
     ]
-    return [f"{result_struct(stage).__name__} {result} = {call};", *taken]
+    return [f"{stage.result_struct.__name__} {result} = {call};", *taken]
 
 
 def _stored(kind: Any, value: str) -> str:

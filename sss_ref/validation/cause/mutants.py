@@ -4,7 +4,7 @@ A mutant is a body in which one call is dropped, one operator or constant is ano
 or one term is missing, in the stage or in a function it calls; GLSL's own functions are left as they are.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -102,20 +102,12 @@ def _functions(body: tree.Body) -> dict[str, tree.Body]:
             look(child)
         if isinstance(expression, tree.Call) and expression.body is not None and not _is_builtin(expression):
             found.setdefault(expression.callee.name, expression.body)
-            for inner in _expressions(expression.body):
+            for inner in tree.expressions(expression.body):
                 look(inner)
 
-    for expression in _expressions(body):
+    for expression in tree.expressions(body):
         look(expression)
     return found
-
-
-def _expressions(body: tree.Body) -> Iterator[tree.Expression]:
-    """The right sides of all lines of a body."""
-    for statement in body.statements:
-        block = statement.block if isinstance(statement, tree.Loop) else (statement,)
-        yield from (assign.value for assign in block)
-    yield from body.result.values.values()
 
 
 def _with_function(body: tree.Body, old: tree.Body, new: tree.Body) -> tree.Body:
@@ -125,27 +117,13 @@ def _with_function(body: tree.Body, old: tree.Body, new: tree.Body) -> tree.Body
         for k, child in enumerate(tree.children(expression)):
             changed = put(child)
             if changed is not child:
-                expression = _with_child(expression, k, changed)
+                expression = tree.with_child(expression, k, changed)
         if isinstance(expression, tree.Call) and expression.body is not None:
             inner = new if expression.body is old else _with_function(expression.body, old, new)
             return expression if inner is expression.body else replace(expression, body=inner)
         return expression
 
-    return _mapped(body, put)
-
-
-def _mapped(body: tree.Body, put: Callable[[tree.Expression], tree.Expression]) -> tree.Body:
-    """The body with the right side of every line put through a function; itself if that changes nothing."""
-    if all(put(expression) is expression for expression in _expressions(body)):
-        return body
-    statements = tuple(
-        replace(each, block=tuple(replace(assign, value=put(assign.value)) for assign in each.block))
-        if isinstance(each, tree.Loop)
-        else replace(each, value=put(each.value))
-        for each in body.statements
-    )
-    values = {name: put(value) for name, value in body.result.values.items()}
-    return replace(body, statements=statements, result=replace(body.result, values=values))
+    return tree.mapped(body, put)
 
 
 def _of_expression(expression: tree.Expression) -> Iterator[tree.Expression]:
@@ -153,7 +131,7 @@ def _of_expression(expression: tree.Expression) -> Iterator[tree.Expression]:
     yield from _here(expression)
     for k, child in enumerate(tree.children(expression)):
         for other in _of_expression(child):
-            yield _with_child(expression, k, other)
+            yield tree.with_child(expression, k, other)
 
 
 def _is_builtin(call: tree.Call) -> bool:
@@ -191,23 +169,3 @@ def _of_operation(
     yield from (
         side for side in (left, right) if side.type == whole.type and operator in ("+", "-", "*", "/", "&", "|")
     )
-
-
-def _with_child(expression: tree.Expression, index: int, child: tree.Expression) -> tree.Expression:
-    """The expression with one of its `children` replaced."""
-
-    def put(parts: tuple[tree.Expression, ...]) -> tuple[tree.Expression, ...]:
-        return (*parts[:index], child, *parts[index + 1 :])
-
-    match expression:
-        case tree.Member():
-            return replace(expression, vector=child)
-        case tree.Operation(operands=parts):
-            return replace(expression, operands=put(parts))
-        case tree.Construct(parts=parts):
-            return replace(expression, parts=put(parts))
-        case tree.Call(arguments=parts):
-            return replace(expression, arguments=put(parts))
-        case tree.Element(array=array):
-            return replace(expression, index=child) if index == 1 else replace(expression, array=array)
-    raise AssertionError(expression)

@@ -86,15 +86,19 @@ def other_matrices(name: str, uniforms: Mapping[str, Any]) -> Iterator[tuple[str
     if "clip_from" in name:
         changed["of the other convention: z from 0 to w, not from -w to w"] = _half_depth() @ right
         for zoom in ZOOMS:
-            changed[f"of another field of view: tan(fov_y/2) is {zoom:g} times as large"] = (
-                np.diag([1 / zoom, 1 / zoom, 1, 1]) @ right
-            )
+            changed[f"{_seen_otherwise(right)} {zoom:g} times as large"] = np.diag([1 / zoom, 1 / zoom, 1, 1]) @ right
         for degrees in TURNS:
             changed[f"of another time: the scene is turned by {degrees:g} degrees about the vertical"] = right @ _turn(
                 degrees
             )
     for text, matrix in changed.items():
         yield f"{name} is {text}", matrix.astype(np.float32)
+
+
+def _seen_otherwise(projection: Matrix) -> str:
+    """What differs where a view sees more or less, by its projection."""
+    is_parallel = not projection[3, :3].any()
+    return "of another height: view_height is" if is_parallel else "of another field of view: tan(fov_y/2) is"
 
 
 def _half_depth() -> Matrix:
