@@ -47,6 +47,17 @@ def test_an_orthographic_picture_has_its_scale_everywhere(tmp_path):
     assert np.unique(result["depth"][result["coverage"] == 1]).tolist() == [np.float32((5 - 0.1) / 99.9)]
 
 
+def test_an_offset_in_mm_is_as_long_everywhere_on_an_orthographic_picture(tmp_path):
+    """2.5 units of 8 mm are 40 pixels high, however far a slope is from the camera: 0.5 mm each."""
+    path = written(tmp_path / "wedge.obj", *wedge())
+    millimetres = {"mm_per_unit": 8.0, "blur": {"unit": "mm", "mm_per_offset": 1.0}}
+    result = rendered(path, lights=[BELOW], camera={**FLAT, "eye": [9, 0, 6]}, **millimetres)
+    covered = result["coverage"] == 1
+    assert np.ptp(result["depth"][covered]) > 0
+    assert np.unique(result["mm_per_pixel"][covered]).tolist() == [0.5]
+    assert np.unique(result["pixels_per_offset"][covered]).tolist() == [2]
+
+
 def test_phong_of_a_flat_face_is_one_colour(tmp_path):
     """Neither the way to the light nor the way to the eye changes along it."""
     path = written(tmp_path / "cube.obj", *cube(), flat=True)
