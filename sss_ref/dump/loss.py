@@ -7,6 +7,7 @@ import numpy as np
 INFINITY = float("inf")
 DIAGONAL = 3**0.5
 ROUNDING = 2.0**-23  # the step of float32, relative to the value
+LARGEST_BYTE = 255
 
 
 @dataclass(frozen=True)
@@ -26,6 +27,12 @@ class Loss:
         """The step at these values, float64."""
         size = np.abs(values.astype(np.float64))
         return np.maximum(np.where(np.isfinite(size), size, 0.0) * self.relative, self.least)
+
+    @property
+    def span_of_bytes(self) -> float:
+        """The length of its range, if bytes can tell so many steps in it; else 0."""
+        span = self.high - self.low
+        return span if np.isfinite(span) and self.least * LARGEST_BYTE > span * (1 - ROUNDING) else 0.0
 
     def spread(self, largest: float) -> "Loss":
         """The loss of vectors that were turned: of any component that of the whole, three steps at right angles."""

@@ -5,7 +5,7 @@ that the whole and the fractional part belong together.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 from typing import Any
 
@@ -13,7 +13,7 @@ import numpy as np
 
 from sss_ref.errors import StageError
 from sss_ref.interpret.intervals import value_sets
-from sss_ref.interpret.intervals.operations import COMPARISONS, LOGIC, Operations, slackened, truncated
+from sss_ref.interpret.intervals.operations import COMPARISONS, FILTERS, LOGIC, Operations, slackened, truncated
 from sss_ref.interpret.intervals.value_sets import componentwise
 from sss_ref.language import tree
 from sss_ref.language.builtins import fract
@@ -157,7 +157,12 @@ class _Walk:
                 return Outcome(special[callee](*values), doubt)
         if expression.body is not None:
             names = dict(zip(expression.body.parameters, inner, strict=True))
-            return enclosed(expression.body, names, self.operations)["return"]
+            result = enclosed(expression.body, names, self.operations)["return"]
+            return (
+                replace(result, value=self.operations.filtered(values[0], result.value))
+                if callee in FILTERS
+                else result
+            )
         match callee.name:
             case "select":
                 return _selected(*inner)

@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 
 from sss_ref.interpret.intervals.profile import Profile
-from sss_ref.interpret.intervals.value_sets import componentwise
+from sss_ref.interpret.intervals.value_sets import Texels, componentwise
 from sss_ref.language.builtins import dot, mix, normalize
-from sss_ref.language.sampling import bilinear_blend, nearest_texel
+from sss_ref.language.sampling import bilinear_blend, nearest_texel, sample_bilinear, sample_repeated
 from sss_ref.language.types import Vector, ivec2, mat3, mat4
 from sss_ref.numerics import interval
 from sss_ref.numerics.bounded import Bounded
-from sss_ref.numerics.directed import nearest
+from sss_ref.numerics.directed import downward, nearest, upward
 from sss_ref.numerics.interval import Interval, each_end, negated, point
 
 INT32 = np.iinfo(np.int32)
@@ -52,6 +52,9 @@ EXACT: dict[str, OnScalars] = {
 }
 
 
+FILTERS = (sample_bilinear, sample_repeated)  # the functions that a sampler does, of which the first value is a texture
+
+
 class Operations:
     """What operators, primitives and functions taken whole give on a processor of this profile."""
 
@@ -59,6 +62,7 @@ class Operations:
         self.arithmetic = arithmetic = profile.arithmetic
         self.position_slack = profile.position_slack
         self.nearest_slack = profile.nearest_slack
+        self.filter_slack = profile.filter_slack
         self.rounding: dict[str, OnScalars] = {
             "+": arithmetic.add,
             "-": lambda a, b: arithmetic.add(a, negated(b)),
@@ -90,6 +94,13 @@ class Operations:
             return type(v)(*(self.arithmetic.dot(row, [*v]) for row in rows))
         products = [[self.arithmetic.multiply(m, x) for m, x in zip(row, v, strict=True)] for row in rows]
         return type(v)(*(reduce(self.arithmetic.add, terms) for terms in products))
+
+    def filtered(self, texture: Texels, blended: Any) -> Any:
+        """What a sampler may make of a blend of texels."""
+        slack = self.filter_slack(texture.span)
+        if not slack:
+            return blended
+        return componentwise(lambda a: Interval(downward(a.low - slack), upward(a.high + slack)), blended)
 
     def nearest_texel(self, map_size: ivec2, uv: Vector) -> ivec2:
         """As in the language, where the product may end up on either side of a texel's edge that is near."""

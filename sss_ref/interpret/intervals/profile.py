@@ -14,6 +14,8 @@ class Profile:
     arithmetic: the bounds of its operations, or Ieee() for correctly rounded ones in the order written.
     vertex_arithmetic: the same in vertex shaders, where it differs.
     weight_bits: fractional bits with which a position between texels is kept for a bilinear sample; 0: all of float32.
+    filter_bits: bits in which a filter may blend the texels of a texture of bytes; 0: all of float32, as those of any
+    other texture are.
     nearest_slack: how near a texel's edge, in texels, a nearest sample may take the texel beyond it.
     subpixel_bits: fractional bits of a vertex's window position. snap: whether it moves to the nearest such position,
     or to any of those around it.
@@ -23,6 +25,7 @@ class Profile:
     arithmetic: Ieee | Bounded = field(default_factory=Bounded)
     vertex_arithmetic: Ieee | Bounded | None = None
     weight_bits: int = 8
+    filter_bits: int = 8
     nearest_slack: float = 2.0**-8
     subpixel_bits: Literal[4, 8] = 8
     snap: Literal["nearest", "any"] = "nearest"
@@ -33,6 +36,10 @@ class Profile:
     def for_vertices(self) -> "Profile":
         """The same processor in its vertex shaders."""
         return replace(self, arithmetic=self.vertex_arithmetic) if self.vertex_arithmetic else self
+
+    def filter_slack(self, span: float) -> float:
+        """How far a bilinear sample of bytes may be off, whose range has this span: along x and along y a step each."""
+        return 2 * span / (2.0**self.filter_bits - 1) if self.filter_bits else 0.0
 
     @property
     def position_slack(self) -> float:
@@ -45,7 +52,7 @@ MEDIUMP_RELATIVE = 2.0**-10  # OpenGL ES Shading Language: mediump float
 MEDIUMP_SMALLEST, MEDIUMP_LARGEST = 2.0**-14, 2.0**14
 
 PROFILES = {
-    "ieee": Profile(Ieee(), weight_bits=0, nearest_slack=0.0),
+    "ieee": Profile(Ieee(), weight_bits=0, filter_bits=0, nearest_slack=0.0),
     "vulkan": Profile(),
     "gl": Profile(Bounded(relative=GL_RELATIVE)),
     "mediump": Profile(

@@ -20,10 +20,14 @@ INT32 = np.iinfo(np.int32)
 
 @dataclass(frozen=True, eq=False)
 class Texels:
-    """A buffer read at any texel, each known to lie between two values; arrays as in `Texture`."""
+    """A buffer read at any texel, each known to lie between two values; arrays as in `Texture`.
+
+    span: the length of its range, where its texels are bytes; 0 of any others.
+    """
 
     low: np.ndarray
     high: np.ndarray
+    span: float = 0.0
 
 
 def componentwise(operation: Callable[..., Interval], *values: Any) -> Any:

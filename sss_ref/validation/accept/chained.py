@@ -1,7 +1,7 @@
 """The whole at once: intervals flow from stage to stage, and nothing of the dump goes in.
 
 Where a stage passes with what was drawn before it but its buffer lies outside these bounds, it has inherited an error.
-The bounds grow from stage to stage, so this is reported and decides nothing.
+The bounds grow from stage to stage, so this is reported and decides nothing. Textures keep what the dump's do.
 """
 
 from collections.abc import Collection, Iterable
@@ -30,7 +30,8 @@ def chained(case: Case, names: Collection[str]) -> dict[str, KnownBuffer]:
         drawn = replace(case.of_oracle.drawn(this_pass), drawing=NOTHING)
         known |= untouched(case.oracle, drawn, [name for name in this_pass.values if name in wanted])
         start = {name: known[name] for stage in this_pass.stages for name in stage.writes.values() if name in wanted}
-        known |= in_rounds(drawn, {**drawn.read, **known}, drawn.work.fragments.where, start)
+        written = in_rounds(drawn, {**drawn.read, **known}, drawn.work.fragments.where, start)
+        known |= {name: case.drawing.kept(name, buffer) for name, buffer in written.items()}
     return known
 
 

@@ -65,7 +65,10 @@ class DrawnPass:
         """What a stage reads that neither the draw nor a stage of this pass gives: a buffer or a uniform."""
         if name in self.read:
             return self.read[name].read(kind, at)
-        return Known.exactly(uniform_value(kind, self.work.uniforms[name]))
+        uniform = self.work.uniforms[name]
+        if name in self.drawing.stored:
+            return self.drawing.as_read(name, uniform).read(kind, at)
+        return Known.exactly(uniform_value(kind, uniform))
 
     @property
     def _varyings(self) -> Mapping[str, int]:

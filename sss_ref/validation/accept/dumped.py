@@ -9,6 +9,7 @@ import numpy as np
 
 from sss_ref.dump.loss import EXACT, Loss, loss_of
 from sss_ref.dump.read import Dump
+from sss_ref.dump.srgb import decoded_around
 from sss_ref.interpret.intervals.value_sets import componentwise
 from sss_ref.interpret.work import buffer_value
 from sss_ref.numerics.interval import Interval
@@ -52,20 +53,30 @@ class Drawing:
         texture = self.rounded.get(name, "float32")
         return Interval(before_storage(texture, file.low).low, before_storage(texture, file.high).high)
 
+    def texture(self, name: str) -> str | Loss:
+        """The storage of the texture that a buffer was in."""
+        return self.rounded.get(name, self.stored.get(name, "float32"))
+
     def as_read(self, name: str, buffer: np.ndarray) -> KnownBuffer:
-        """A buffer as a shader read it: exactly, unless its file has fewer bits than the texture had."""
-        if name not in self.rounded:
-            return KnownBuffer.exactly(buffer)
-        held = before_storage(self.stored.get(name, "float32"), buffer)
-        return replace(KnownBuffer.exactly(buffer), low=held.low, high=held.high)
+        """A buffer, or a uniform that is a picture, as a shader read it.
+
+        Exactly, unless its file has fewer bits than the texture had, or the sampler decoded it.
+        """
+        known = replace(KnownBuffer.exactly(buffer), span=loss_of(self.texture(name)).span_of_bytes)
+        if name in self.rounded:
+            held = before_storage(self.stored.get(name, "float32"), buffer)
+            known = replace(known, low=held.low, high=held.high)
+        if self.texture(name) == "srgb8":
+            known = replace(known, low=decoded_around(known.low).low, high=decoded_around(known.high).high)
+        return known
 
     def kept(self, name: str, given: KnownBuffer) -> KnownBuffer:
         """What the texture of a buffer that was not dumped may hold of what it was given."""
-        loss = loss_of(self.stored.get(name, "float32"))
+        loss = loss_of(self.texture(name))
         if loss == EXACT:
             return given
         low, high = (np.clip(end, loss.low, loss.high) for end in (given.low, given.high))
-        return replace(given, low=low - loss.step(low), high=high + loss.step(high))
+        return replace(given, low=low - loss.step(low), high=high + loss.step(high), span=loss.span_of_bytes)
 
     def handed_on(self, name: str, kind: Any, at: Pixels) -> Known:
         """A dumped value as the next stage of its pass got it, before any texture or file rounded it."""

@@ -1,7 +1,7 @@
 """What is known of a name: what it is here, beside all that it may be on a right processor; the two never part."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, get_origin
 
 import numpy as np
@@ -47,12 +47,16 @@ class Known:
 
 @dataclass(frozen=True, eq=False)
 class KnownBuffer:
-    """A buffer at all its pixels: exact, low and high of one shape, (H, W) or (H, W, C); doubt: bool (H, W)."""
+    """A buffer at all its pixels: exact, low and high of one shape, (H, W) or (H, W, C); doubt: bool (H, W).
+
+    span: the length of the range of its texture, where that has bytes; 0 of any other.
+    """
 
     exact: np.ndarray
     low: np.ndarray
     high: np.ndarray
     doubt: np.ndarray
+    span: float = 0.0
 
     @classmethod
     def exactly(cls, buffer: np.ndarray) -> "KnownBuffer":
@@ -67,15 +71,15 @@ class KnownBuffer:
     def read(self, kind: Any, at: Pixels) -> Known:
         """As a stage reads it: whole as a texture, else its values at these pixels."""
         exact = buffer_value(kind, self.exact, *at)
+        if get_origin(kind) is Texture:
+            return Known(exact, Texels(self.low, self.high, self.span))
         if self.is_exact:
             return Known.exactly(exact)
-        if get_origin(kind) is Texture:
-            return Known(exact, Texels(self.low, self.high))
         return Known(exact, componentwise(Interval, *(buffer_value(kind, end, *at) for end in (self.low, self.high))))
 
     def copy(self) -> "KnownBuffer":
         """The same, to be written to."""
-        return KnownBuffer(self.exact.copy(), self.low.copy(), self.high.copy(), self.doubt.copy())
+        return replace(self, **{name: getattr(self, name).copy() for name in ("exact", "low", "high", "doubt")})
 
     def write(self, known: Known, at: Pixels) -> None:
         """Put what a stage wrote where it wrote it."""

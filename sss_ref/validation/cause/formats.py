@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from sss_ref.dump.loss import SHARED_MANTISSA, loss_of
+from sss_ref.dump.srgb import srgb_decoded, srgb_encoded
 from sss_ref.validation.accept.rebased import Check
 
 NEARLY = 2.0**-22  # relative: two ways from a code to a float32 may round differently
@@ -60,18 +61,6 @@ def _shared(values: np.ndarray) -> np.ndarray:
 
 def _codes(largest: int) -> Held:
     return lambda values: np.rint(np.clip(values, 0, 1) * largest) / largest
-
-
-def srgb_encoded(linear: np.ndarray) -> np.ndarray:
-    """Encoded by IEC 61966-2-1; what is negative as 0."""
-    v = np.clip(linear.astype(np.float64), 0, None)
-    return np.where(v <= 0.0031308, 12.92 * v, 1.055 * v ** (1 / 2.4) - 0.055)
-
-
-def srgb_decoded(encoded: np.ndarray) -> np.ndarray:
-    """The way back."""
-    v = np.clip(encoded.astype(np.float64), 0, None)
-    return np.where(v <= 0.04045, v / 12.92, ((v + 0.055) / 1.055) ** 2.4)
 
 
 def _srgb_codes(values: np.ndarray) -> np.ndarray:

@@ -4,8 +4,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from sss_ref.dump.srgb import srgb_decoded, srgb_encoded
 from sss_ref.validation.accept.rebased import RASTERIZER, Check
-from sss_ref.validation.cause.formats import formats, srgb_decoded, srgb_encoded
+from sss_ref.validation.cause.formats import formats
 from sss_ref.validation.verdict.outcomes import distance
 
 
