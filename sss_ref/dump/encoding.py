@@ -6,6 +6,7 @@ from typing import Literal
 
 import numpy as np
 
+from sss_ref.dump.held import HELD, are_held
 from sss_ref.dump.loss import Loss
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import told
@@ -19,6 +20,9 @@ Storage = Literal[
     "snorm8",
     "snorm16",
     "srgb8",
+    "r11g11b10f",
+    "rgb10a2",
+    "rgb9e5",
     "uint8",
     "uint16",
     "uint32",
@@ -28,6 +32,7 @@ Storage = Literal[
 ]
 INTEGERS = ("uint8", "uint16", "uint32", "int8", "int16", "int32")
 LARGEST_CODE = {"unorm8": 255, "unorm16": 65535, "snorm8": 127, "snorm16": 32767}
+PACKED = ("r11g11b10f", "rgb10a2", "rgb9e5")
 
 FAMILIES: tuple[tuple[Storage, ...], ...] = (
     ("unorm8", "srgb8", "uint8"),
@@ -37,7 +42,8 @@ FAMILIES: tuple[tuple[Storage, ...], ...] = (
     ("uint32", "int32"),
 )
 READ_AS: dict[str, tuple[str, ...]] = {
-    "float32": ("float32", "float16", *LARGEST_CODE),
+    "float32": ("float32", *HELD),
+    "float16": ("float16", "r11g11b10f", "rgb9e5"),
     **{storage: family for family in FAMILIES for storage in family},
 }
 """What a file's own storage may be taken for if the mapping file says so; any other only for itself."""
@@ -49,8 +55,8 @@ class Encoding:
 
     storage: of the texture. "unormN": n/(2^N - 1); "snormN": n/(2^(N-1) - 1), and not below -1. "srgb8": IEC 61966-2-1,
         alpha linear. "uint32": 4294967295 is -1, as are 65535 of "uint16" and 255 of "uint8" among triangle numbers.
-        Of packed formats the name tells the bits of red: "float11" (R11G11B10), "unorm10" (RGB10A2), "unorm24" (D24),
-        "float9" (R9G9B9E5); "float24" is what the compression PXR24 leaves of float32.
+        Packed formats, of which a file of floats may say that it was one: "r11g11b10f", "rgb10a2", "rgb9e5" (three
+        channels with one exponent). "unorm24" is a depth of 24 bits, "float24" what PXR24 leaves of float32.
     scale, offset: one number, or one for each channel.
     rounded_from: the storage of the texture where the file has fewer bits than it; else None.
     space: "world" or "view". normals: "xyz", "n*.5+.5" or "octahedral"; see `vectors`. depth: see `depths`.
@@ -85,8 +91,8 @@ def decoded(data: np.ndarray, channels: Sequence[str], storage: str, where: str)
         return data.astype(np.int64).astype(np.uint32).view(np.int32)
     if data.dtype == np.float32:
         return _checked(data, storage, where)
-    if storage == "float16":
-        return data.astype(np.float32)
+    if data.dtype == np.float16:
+        return _checked(data.astype(np.float32), storage, where)
     if data.dtype.kind == "i":
         return np.maximum(data.astype(np.float32) / np.float32(LARGEST_CODE[storage]), np.float32(-1))
     linear = data.astype(np.float32) / np.float32(LARGEST_CODE.get(storage, 255))
@@ -106,22 +112,8 @@ def scaled(values: np.ndarray, scale: float | Sequence[float], offset: float | S
 
 def _checked(data: np.ndarray, storage: str, where: str) -> np.ndarray:
     """The float32 values of a file, if its texture can have held them."""
-    other = data != _held(data, storage)
-    if storage not in LARGEST_CODE:
-        other &= ~np.isnan(data)
+    other = ~are_held(data, storage) if storage in HELD else np.zeros(data.shape, bool)
     if other.any():
         came = repr(data[other][0].item())
         raise DumpError(told(where, f"values that {storage} can hold", came, "correct the encoding"))
     return data
-
-
-def _held(data: np.ndarray, storage: str) -> np.ndarray:
-    """The values nearest to float32 ones that a texture can hold."""
-    with np.errstate(over="ignore", invalid="ignore"):
-        if storage == "float16":
-            return data.astype(np.float16).astype(np.float32)
-    if storage not in LARGEST_CODE:
-        return data
-    top = np.float32(LARGEST_CODE[storage])
-    low = -1 if storage.startswith("s") else 0
-    return np.rint(np.clip(data, low, 1).astype(np.float64) * top).astype(np.float32) / top

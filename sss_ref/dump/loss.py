@@ -15,13 +15,15 @@ class Loss:
     """How far what is held may be from what was given, in the unit of the buffer.
 
     relative, least: the step between neighbours, relative to the value and at least. low, high: the ends of the range:
-    a value that is held there, or beyond as infinity, may have been anything beyond.
+    a value that is held there, or beyond as infinity, may have been anything beyond. flushed: the size below which a
+    number may be kept as 0, the smallest normal one of small floats.
     """
 
     relative: float = 0.0
     least: float = 0.0
     low: float = -INFINITY
     high: float = INFINITY
+    flushed: float = 0.0
 
     def step(self, values: np.ndarray) -> np.ndarray:
         """The step at these values, float64."""
@@ -36,31 +38,30 @@ class Loss:
 
     def spread(self, largest: float) -> "Loss":
         """The loss of vectors that were turned: of any component that of the whole, three steps at right angles."""
-        return Loss(least=DIAGONAL * max(largest * self.relative, self.least) + largest * ROUNDING)
+        return Loss(least=DIAGONAL * max(largest * self.relative, self.least, self.flushed) + largest * ROUNDING)
 
     def unclamped(self) -> "Loss":
         """The same step without ends."""
-        return Loss(self.relative, self.least)
+        return Loss(self.relative, self.least, flushed=self.flushed)
 
     def scaled(self, scale: float, offset: float, largest: float) -> "Loss":
         """Of value = stored * scale + offset, rounded once to float32. largest: of the stored values, by size."""
-        ends = sorted(float(np.float32(end * scale + offset)) for end in (self.low, self.high))
-        least = self.least * abs(scale)
+        low, high = sorted(float(np.float32(end * scale + offset)) for end in (self.low, self.high))
+        least, flushed = self.least * abs(scale), self.flushed * abs(scale)
         if offset:
-            step = max(least, self.relative * abs(scale) * largest)
-            return Loss(0.0, step + ROUNDING * (abs(scale) * largest + abs(offset)), *ends)
-        return Loss(self.relative + ROUNDING, least, *ends)
+            step = max(least, flushed, self.relative * abs(scale) * largest)
+            return Loss(0.0, step + ROUNDING * (abs(scale) * largest + abs(offset)), low, high)
+        return Loss(self.relative + ROUNDING, least, low, high, flushed)
 
 
 EXACT = Loss()
 LARGEST_HALF = 65504.0  # what lies beyond is kept as this or as infinity: a conversion may cut off or round
 LOSSES = {
-    "float16": Loss(2.0**-10, 2.0**-24, -LARGEST_HALF, LARGEST_HALF),
+    "float16": Loss(2.0**-10, 2.0**-24, -LARGEST_HALF, LARGEST_HALF, 2.0**-14),
     "float24": Loss(2.0**-15, 2.0**-141),
-    "float11": Loss(2.0**-6, 2.0**-20),
-    "float10": Loss(2.0**-5, 2.0**-19),
+    "r11g11b10f": Loss(2.0**-5, 2.0**-19, 0.0, 64512.0, 2.0**-14),  # those of blue, which has the fewest bits
     "unorm8": Loss(0.0, 1 / 255, 0.0, 1.0),
-    "unorm10": Loss(0.0, 1 / 1023, 0.0, 1.0),
+    "rgb10a2": Loss(0.0, 1 / 1023, 0.0, 1.0),
     "unorm16": Loss(0.0, 1 / 65535, 0.0, 1.0),
     "unorm24": Loss(0.0, 1 / (2**24 - 1), 0.0, 1.0),
     "snorm8": Loss(0.0, 1 / 127, -1.0, 1.0),
@@ -69,6 +70,7 @@ LOSSES = {
 }
 """Storage -> its loss, of those that hold fewer numbers than float32."""
 
+LARGEST_SHARED = 65408.0
 SHARED_MANTISSA = 2.0**-8  # R9G9B9E5 has nine bits of each channel, counted from the first of the largest channel
 
 
@@ -80,4 +82,4 @@ def loss_of(storage: str | Loss) -> Loss:
 def shared_exponent(data: np.ndarray) -> Loss:
     """The loss of texels (H, W, C) that share an exponent: the step of the largest value of all."""
     finite = data[np.isfinite(data)]
-    return Loss(least=float(np.abs(finite).max(initial=0.0)) * SHARED_MANTISSA)
+    return Loss(0.0, float(np.abs(finite).max(initial=0.0)) * SHARED_MANTISSA, 0.0, LARGEST_SHARED)

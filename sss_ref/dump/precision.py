@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from sss_ref.dump.encoding import LARGEST_CODE, Encoding
-from sss_ref.dump.loss import Loss, loss_of
+from sss_ref.dump.encoding import LARGEST_CODE, PACKED, Encoding
+from sss_ref.dump.loss import Loss, loss_of, shared_exponent
 from sss_ref.dump.mapping import BufferTable
 
 BENT = 3.0  # how much farther two directions may be apart than their places on the octahedral map, in any component
@@ -18,10 +18,11 @@ def encoding_of(table: BufferTable, storage: str, loss: Loss | None, stored: np.
     A file that was converted, or compressed to fewer bits, holds less than the texture had, unless the mapping says so.
     """
     encoding = Encoding(storage, **table.stored)
+    loss = loss or (shared_exponent(stored) if storage == "rgb9e5" else None)
     if storage != "float24" and loss is None and table.is_plain:
         return encoding
     moved = None if table.is_plain and loss is None else _moved(table, loss or loss_of(storage), largest(stored))
-    texture = None if storage in LARGEST_CODE or (table.is_plain and loss) else "float32"
+    texture = None if storage in (*LARGEST_CODE, *PACKED) or (table.is_plain and loss) else "float32"
     return replace(encoding, loss=moved, rounded_from=table.rounded_from or texture)
 
 

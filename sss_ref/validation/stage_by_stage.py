@@ -49,7 +49,7 @@ def validate(
     0 at the bottom, float32, int32 or uint8; any of the method's, registers and taps too. The more there are, the
     nearer the culprit.
     stored: buffer -> what its texture holds where that is less than float32: "float16", "unorm8", "unorm16", "srgb8";
-    of a buffer that was not dumped too.
+    of a buffer that was not dumped too, and of a picture among the uniforms (`albedo_map`).
     only: bool (H, W) of the camera's size, the pixels of its buffers that are judged.
     profile: the processor that may have drawn them, by name ("ieee", "vulkan", "gl", "mediump"), as a TOML file or as a
     Profile; accepted is what it may give. explain: whether to look for what would explain a failure, and for how small

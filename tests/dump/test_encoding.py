@@ -68,6 +68,13 @@ def test_float32_comes_through_in_bits():
         ("float16", [0.5, -65504.0, 2.0**-24, np.inf, np.nan], [0.1, 65520.0, 2.0**-25]),
         ("unorm8", [0.0, np.float32(7 / 255), 1.0], [0.5, 1.5, -0.1, np.nan, np.inf]),
         ("unorm16", [0.0, np.float32(7 / 65535), 1.0], [0.25, 2.0]),
+        ("unorm8", [np.float32(7) * np.float32(1 / 255)], [7.01 / 255]),  # by the reciprocal, as samplers do it
+        ("rgb10a2", [0.0, np.float32(7 / 1023), 1.0], [7 / 255, 1.5]),
+        (
+            "srgb8",
+            [0.0, 0.001194 + ((38 / 255 + 0.055) / 1.055) ** 2.4, 1.0],
+            [((38.5 / 255 + 0.055) / 1.055) ** 2.4, 1.1],
+        ),
     ],
 )
 def test_floats_said_to_come_from_fewer_bits_must_be_such(storage, held, other):
@@ -75,6 +82,23 @@ def test_floats_said_to_come_from_fewer_bits_must_be_such(storage, held, other):
     for value in other:
         with pytest.raises(DumpError, match=f"^x: expected values that {storage} can hold, got "):
             decoded(column([value], "f4"), "R", storage, "x")
+
+
+@pytest.mark.parametrize(
+    ("storage", "held", "other"),
+    [
+        ("r11g11b10f", [[1.5, 65024.0, 2.0**-19], [0.0, np.inf, 1 + 2.0**-5]], [1.0, 1.0, 1 + 2.0**-6]),
+        ("rgb9e5", [[1.0, 0.5, 2.0**-8], [65408.0, 0.0, 0.0]], [1.0, 0.5, 2.0**-9]),
+    ],
+)
+@pytest.mark.parametrize("kind", ["f4", "f2"])
+def test_floats_that_come_from_packed_formats(storage, held, other, kind):
+    held, other = np.array([held], kind), np.array([[other]], kind)
+    assert decoded(held, "RGB", storage, "x").tolist() == held.tolist()
+    with pytest.raises(DumpError, match=f"^x: expected values that {storage} can hold, got "):
+        decoded(other, "RGB", storage, "x")
+    with pytest.raises(DumpError):
+        decoded(-held, "RGB", storage, "x")
 
 
 def test_scale_and_offset_are_applied_in_double_precision_and_rounded_once():
@@ -93,7 +117,12 @@ def test_what_a_storage_may_be_taken_for():
     assert storage_of("unorm8", None, "x") == "unorm8"
     assert storage_of("unorm8", "srgb8", "x") == "srgb8"
     assert storage_of("float32", "float16", "x") == "float16"
-    for native, wanted in [("float16", "float32"), ("float11", "float16"), ("int32", "unorm8"), ("unorm16", "unorm8")]:
+    for native, wanted in [
+        ("float16", "float32"),
+        ("r11g11b10f", "float16"),
+        ("int32", "unorm8"),
+        ("unorm16", "unorm8"),
+    ]:
         with pytest.raises(DumpError, match=f"^x: expected one of .* for a file of {native}, got {wanted}; "):
             storage_of(native, wanted, "x")
 

@@ -22,7 +22,9 @@ def test_steps_by_hand():
 def test_scale_and_offset_move_the_ends_and_the_step():
     assert LOSSES["unorm8"].scaled(2.0, -1.0, 1.0) == Loss(0.0, 2 / 255 + 3 * ROUNDING, -1.0, 1.0)
     assert LOSSES["unorm8"].scaled(-3.0, 0.0, 1.0) == Loss(ROUNDING, 3 / 255, -3.0, 0.0)
-    assert LOSSES["float16"].scaled(4.0, 0.0, 9.0) == Loss(2.0**-10 + ROUNDING, 4 * 2.0**-24, -4 * 65504, 4 * 65504)
+    assert LOSSES["float16"].scaled(4.0, 0.0, 9.0) == Loss(
+        2.0**-10 + ROUNDING, 4 * 2.0**-24, -4 * 65504, 4 * 65504, 4 * 2.0**-14
+    )
     assert LOSSES["float16"].scaled(4.0, 1.0, 9.0) == Loss(
         0.0, 36 * 2.0**-10 + 37 * ROUNDING, 1 - 4 * 65504, 1 + 4 * 65504
     )
@@ -52,3 +54,17 @@ def test_a_shared_exponent_loses_the_step_of_the_largest(largest):
     step = 2.0 ** (np.floor(np.log2(largest)) + 1 - 9)
     loss = shared_exponent(F([[[largest, 0.001, 0]]]))
     assert step <= loss.least <= 2 * step
+    assert (loss.low, loss.high) == (0.0, 511 * 2.0**7)
+
+
+def test_what_of_a_turned_or_moved_half_may_have_been_flushed():
+    assert LOSSES["float16"].spread(0.01).least == DIAGONAL * 2.0**-14 + 0.01 * ROUNDING
+    assert LOSSES["float16"].scaled(1.0, 1.0, 0.01).least == 2.0**-14 + 1.01 * ROUNDING
+    assert LOSSES["float16"].unclamped().flushed == 2.0**-14
+
+
+def test_which_storages_are_bytes():
+    spans = {name: loss.span_of_bytes for name, loss in LOSSES.items() if loss.span_of_bytes}
+    assert spans == {"unorm8": 1.0, "snorm8": 2.0, "srgb8": 1.0}
+    assert LOSSES["unorm8"].scaled(-3.0, 0.3, 1.0).span_of_bytes == pytest.approx(3.0)
+    assert EXACT.span_of_bytes == 0.0

@@ -91,7 +91,8 @@ def test_all_problems_at_once(tmp_path):
         "buffers.lit.fil: expected a known key, got this one; did you mean file?",
         "buffers.image.shape: expected no shape for a file that gives its own, got [1, 2]; remove it",
         'buffers.image.encoding: expected "float32", "float16", "unorm8", "unorm16", "snorm8", "snorm16", "srgb8", '
-        '"uint8", "uint16", "uint32", "int8", "int16" or "int32", got "half"; choose one of these',
+        '"r11g11b10f", "rgb10a2", "rgb9e5", "uint8", "uint16", "uint32", "int8", "int16" or "int32", '
+        'got "half"; choose one of these',
         "orign: expected a known key, got this one; did you mean origin?",
     ]
 

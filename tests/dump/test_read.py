@@ -241,7 +241,7 @@ def test_all_problems_at_once_each_under_its_key(result, tmp_path):
         normals = "octahedral"
         [buffers.scattered]
         file = "a.npy"
-        encoding = "srgb8"
+        encoding = "uint8"
         [buffers.image]
         file = "a.npy"
         channels = "RGX"
@@ -259,7 +259,7 @@ def test_all_problems_at_once_each_under_its_key(result, tmp_path):
         "buffers.irradiance: expected a buffer of this scene, got this one; remove it",
         'buffers.phong.space: expected "world", as phong has no space, got "view"; remove it',
         'buffers.albedo.normals: expected "xyz", as albedo is no normal, got "octahedral"; remove it',
-        "buffers.scattered.encoding: expected one of float32, float16, unorm8, unorm16, snorm8, snorm16 for",
+        "buffers.scattered.encoding: expected one of float32, unorm8, srgb8, rgb10a2, unorm16, ",
         "buffers.image.channels: expected R, G, X in a.npy, got R, G, B; name those of the buffer",
         "buffers.position_world.part: expected the part b in a.npy, got 0; name one of these",
         'buffers.lit.origin: expected "top" or "bottom" for a raw file, got nothing; add it',

@@ -1,4 +1,4 @@
-"""Textures of bytes, read through the sampler's own filter: a right driver passes, a larger error than its own fails."""
+"""Textures of bytes, read through the sampler's own filter: a right driver passes, a larger error fails."""
 
 import numpy as np
 import pytest

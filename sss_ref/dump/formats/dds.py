@@ -59,8 +59,7 @@ def read(path: Path) -> tuple[StoredTexels]:
 
 def _unpacked(stored: np.ndarray, texel: TexelFormat) -> StoredTexels:
     data = texel.unpack(stored[..., 0]) if texel.unpack else stored.astype(stored.dtype.newbyteorder("="))
-    loss = texel.loss(data) if texel.loss else None
-    return StoredTexels(data, tuple(texel.channels), texel.storage, loss=loss)
+    return StoredTexels(data, tuple(texel.channels), texel.storage)
 
 
 def _header(path: Path, file: BinaryIO) -> DdsHeader:

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from sss_ref.dump import packed
-from sss_ref.dump.loss import Loss, shared_exponent
 
 
 @dataclass(frozen=True)
@@ -14,8 +13,7 @@ class TexelFormat:
     """How a texel is stored.
 
     element: NumPy's type, little-endian. channels: one letter each, in the order of the file. storage: see `encoding`.
-    unpack: for formats with all channels in one element, what takes them apart. loss: what is lost beside that of the
-    storage, from the values.
+    unpack: for formats with all channels in one element, what takes them apart.
     """
 
     name: str
@@ -23,7 +21,6 @@ class TexelFormat:
     channels: str
     storage: str
     unpack: Callable[[np.ndarray], np.ndarray] | None = None
-    loss: Callable[[np.ndarray], Loss] | None = None
 
     @property
     def count(self) -> int:
@@ -53,8 +50,8 @@ DXGI = {
     **{number: _plain(32, "RG", kind) for number, kind in ((16, "FLOAT"), (17, "UINT"), (18, "SINT"))},
     20: TexelFormat("D32_FLOAT_S8X24_UINT", "<u8", "R", "float32", packed.d32s8),
     21: TexelFormat("R32_FLOAT_X8X24_TYPELESS", "<u8", "R", "float32", packed.d32s8),
-    24: TexelFormat("R10G10B10A2_UNORM", "<u4", "RGBA", "unorm10", packed.r10g10b10a2),
-    26: TexelFormat("R11G11B10_FLOAT", "<u4", "RGB", "float11", packed.r11g11b10),
+    24: TexelFormat("R10G10B10A2_UNORM", "<u4", "RGBA", "rgb10a2", packed.r10g10b10a2),
+    26: TexelFormat("R11G11B10_FLOAT", "<u4", "RGB", "r11g11b10f", packed.r11g11b10),
     28: _plain(8, "RGBA", "UNORM"),
     29: TexelFormat("R8G8B8A8_UNORM_SRGB", "<u1", "RGBA", "srgb8"),
     30: _plain(8, "RGBA", "UINT"),
@@ -71,7 +68,7 @@ DXGI = {
     **dict(enumerate((_plain(16, "R", kind) for kind in ("UNORM", "UINT", "SNORM", "SINT")), 56)),
     **dict(enumerate((_plain(8, "R", kind) for kind in ("UNORM", "UINT", "SNORM", "SINT")), 61)),
     65: TexelFormat("A8_UNORM", "<u1", "A", "unorm8"),
-    67: TexelFormat("R9G9B9E5_SHAREDEXP", "<u4", "RGB", "float9", packed.r9g9b9e5, shared_exponent),
+    67: TexelFormat("R9G9B9E5_SHAREDEXP", "<u4", "RGB", "rgb9e5", packed.r9g9b9e5),
     87: TexelFormat("B8G8R8A8_UNORM", "<u1", "BGRA", "unorm8"),
     88: TexelFormat("B8G8R8X8_UNORM", "<u1", "BGRX", "unorm8"),
     91: TexelFormat("B8G8R8A8_UNORM_SRGB", "<u1", "BGRA", "srgb8"),

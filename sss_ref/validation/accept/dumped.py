@@ -14,7 +14,7 @@ from sss_ref.interpret.intervals.value_sets import componentwise
 from sss_ref.interpret.work import buffer_value
 from sss_ref.numerics.interval import Interval
 from sss_ref.validation.accept.known import Known, KnownBuffer, Pixels
-from sss_ref.validation.accept.storage import before_storage
+from sss_ref.validation.accept.storage import after_storage, before_storage
 
 Buffers = Mapping[str, np.ndarray]
 Stored = Mapping[str, str | Loss]  # buffer -> its storage, of those that are not in float32
@@ -75,8 +75,8 @@ class Drawing:
         loss = loss_of(self.texture(name))
         if loss == EXACT:
             return given
-        low, high = (np.clip(end, loss.low, loss.high) for end in (given.low, given.high))
-        return replace(given, low=low - loss.step(low), high=high + loss.step(high), span=loss.span_of_bytes)
+        held = after_storage(loss, Interval(given.low, given.high))
+        return replace(given, low=held.low, high=held.high, span=loss.span_of_bytes)
 
     def handed_on(self, name: str, kind: Any, at: Pixels) -> Known:
         """A dumped value as the next stage of its pass got it, before any texture or file rounded it."""

@@ -23,15 +23,29 @@ def step_of(storage: str | Loss, values: np.ndarray) -> np.ndarray:
 def before_storage(storage: str | Loss, held: np.ndarray) -> Interval:
     """The values, float64, that a texture may have been given that holds these.
 
-    Where one holds the end of its range, or infinity, it may have been given anything beyond.
+    Where one holds the end of its range, or infinity, it may have been given anything beyond; where it holds 0, any
+    number that it may flush.
     """
     loss = loss_of(storage)
     if loss == EXACT:
         return point(held.astype(np.float64))
     exact = np.clip(held.astype(np.float64), loss.low, loss.high)
-    step = loss.step(exact)
+    step = np.where(exact == 0, np.maximum(loss.step(exact), loss.flushed), loss.step(exact))
     low = np.where(exact <= loss.low, -INFINITY, exact - step)
     return Interval(low, np.where(exact >= loss.high, INFINITY, exact + step))
+
+
+def after_storage(storage: str | Loss, given: Interval) -> Interval:
+    """The values, float64, that a texture may hold that was given one of these: a neighbour, an end, infinity, 0."""
+    loss = loss_of(storage)
+    low, high = np.clip(given.low, loss.low, loss.high), np.clip(given.high, loss.low, loss.high)
+    nearest_0 = np.clip(0.0, low, high)
+    low, high = low - loss.step(low), high + loss.step(high)
+    flushed = np.abs(nearest_0) < loss.flushed
+    low, high = np.where(flushed, np.minimum(low, 0.0), low), np.where(flushed, np.maximum(high, 0.0), high)
+    if loss.relative:  # a float, which may have become infinite
+        low, high = np.where(given.low < loss.low, -INFINITY, low), np.where(given.high > loss.high, INFINITY, high)
+    return Interval(low, high)
 
 
 def lost_in_storage(storage: str | Loss, computed: np.ndarray, held: np.ndarray) -> np.ndarray:

@@ -1,16 +1,23 @@
 """Formats of textures, recognised from the values: all of them are numbers that the format has."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 
-from sss_ref.dump.loss import SHARED_MANTISSA, loss_of
-from sss_ref.dump.srgb import srgb_decoded, srgb_encoded
+from sss_ref.dump.held import HELD, NEARLY
+from sss_ref.dump.loss import SHARED_MANTISSA, loss_of, shared_exponent
 from sss_ref.validation.accept.rebased import Check
 
-NEARLY = 2.0**-22  # relative: two ways from a code to a float32 may round differently
-LARGEST_SHARED = 65408.0
-Held = Callable[[np.ndarray], np.ndarray]
+FORMATS = {  # storage -> what it is called, narrow ones first
+    "unorm8": "8-bit unorm",
+    "srgb8": "sRGB8",
+    "rgb10a2": "RGB10A2",
+    "unorm16": "16-bit unorm",
+    "r11g11b10f": "R11G11B10F",
+    "rgb9e5": "RGB9E5",
+    "float16": "float16",
+}
+OF_COLOURS = ("rgb10a2", "r11g11b10f", "rgb9e5")  # those with three channels
 
 
 def formats(check: Check) -> Iterator[tuple[str, np.ndarray]]:
@@ -20,63 +27,19 @@ def formats(check: Check) -> Iterator[tuple[str, np.ndarray]]:
     """
     got, expected = np.atleast_3d(check.got).astype(np.float64), np.atleast_3d(check.expected).astype(np.float64)
     here = got[check.where]
-    for name, (held, storages) in FORMATS.items():
-        if len(storages) in (1, got.shape[2]) and np.isfinite(here).all():
+    for storage, name in FORMATS.items():
+        if (storage not in OF_COLOURS or got.shape[2] == 3) and np.isfinite(here).all():
             with np.errstate(over="ignore"):
-                same = np.abs(held(here) - here) <= np.abs(here) * NEARLY
+                same = np.abs(HELD[storage](here) - here) <= np.abs(here) * NEARLY
             if same.all():
-                yield f"it was stored as {name}", _within_a_step(name, storages, got, expected, check)
+                text = f'it was stored as {name}: declare encoding = "{storage}"'
+                yield text, _within_a_step(storage, got, expected, check)
 
 
-def _within_a_step(
-    name: str, storages: tuple[str, ...], got: np.ndarray, expected: np.ndarray, check: Check
-) -> np.ndarray:
+def _within_a_step(storage: str, got: np.ndarray, expected: np.ndarray, check: Check) -> np.ndarray:
     """Bool (H, W): where what was got is a neighbour of what was expected."""
-    losses = [loss_of(storage) for storage in (storages * got.shape[2])[: got.shape[2]]]
-    ends = np.array([(each.low, each.high) for each in losses]).T
-    step = np.stack([each.step(got[..., k]) for k, each in enumerate(losses)], axis=-1)
-    if name == "RGB9E5":
-        ends, step = np.array([[0.0], [LARGEST_SHARED]]), got.max(axis=-1, keepdims=True) * SHARED_MANTISSA
-    near = np.abs(got - np.clip(expected, *ends)) <= step + np.atleast_3d(check.reach)
+    is_shared = storage == "rgb9e5"
+    loss = shared_exponent(got) if is_shared else loss_of(storage)
+    step = got.max(axis=-1, keepdims=True) * SHARED_MANTISSA if is_shared else loss.step(got)
+    near = np.abs(got - np.clip(expected, loss.low, loss.high)) <= step + np.atleast_3d(check.reach)
     return np.logical_and.reduce(near, axis=-1)
-
-
-def _floats(*bits: int) -> Held:
-    """Floats without a sign, five bits of exponent and so many of mantissa, for each channel."""
-
-    def held(values: np.ndarray) -> np.ndarray:
-        _, exponent = np.frexp(values)
-        step = np.ldexp(1.0, np.maximum(exponent - 1, -14) - np.array(bits))
-        return np.maximum(np.rint(values / step) * step, 0.0)
-
-    return held
-
-
-def _shared(values: np.ndarray) -> np.ndarray:
-    """Nine bits of each channel below the exponent of the largest."""
-    _, exponent = np.frexp(values.max(axis=-1, keepdims=True, initial=0.0))
-    step = np.ldexp(1.0, np.maximum(exponent, -15) - 9)
-    return np.clip(np.rint(values / step) * step, 0.0, LARGEST_SHARED)
-
-
-def _codes(largest: int) -> Held:
-    return lambda values: np.rint(np.clip(values, 0, 1) * largest) / largest
-
-
-def _srgb_codes(values: np.ndarray) -> np.ndarray:
-    return srgb_decoded(_codes(255)(srgb_encoded(values)))
-
-
-def _halves(values: np.ndarray) -> np.ndarray:
-    return values.astype(np.float16).astype(np.float64)
-
-
-FORMATS: dict[str, tuple[Held, tuple[str, ...]]] = {
-    "8-bit unorm": (_codes(255), ("unorm8",)),
-    "sRGB8": (_srgb_codes, ("srgb8",)),
-    "RGB10A2": (_codes(1023), ("unorm10",) * 3),
-    "16-bit unorm": (_codes(65535), ("unorm16",)),
-    "R11G11B10F": (_floats(6, 6, 5), ("float11", "float11", "float10")),
-    "RGB9E5": (_shared, ("float9",) * 3),
-    "float16": (_halves, ("float16",)),
-}

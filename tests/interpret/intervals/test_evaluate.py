@@ -20,6 +20,7 @@ from sss_ref.interpret.intervals.enclosing import CONDITION, WHICH_TEXEL
 from sss_ref.interpret.intervals.evaluate import run_intervals
 from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.interpret.intervals.value_sets import Texels
+from sss_ref.passes.camera import albedo_textured
 from sss_ref.interpret.work import buffer_value, uniform_value
 from sss_ref.language import (
     Array,
@@ -245,6 +246,20 @@ def test_texels_known_to_lie_between_two_values():
     uv = vec2(row(0.375, 0.5), F(0.5))
     got = run_intervals(nearest_value, {"picture": picture, "uv": uv}, VULKAN)["value"]
     assert ends(got) == [(5, 5.5), (5, 6.5)]
+
+
+@pytest.mark.parametrize(("bits", "slack"), [(8, 2 / 255), (6, 2 / 63), (0, 0.0)])
+def test_a_filter_of_few_bits_loses_a_step_along_each_axis(bits, slack):
+    picture = np.repeat(PICTURE[..., np.newaxis] / F(16), 3, axis=2)
+    profile, uv = replace(VULKAN, filter_bits=bits), vec2(row(0.3, 0.8), row(0.4, 0.6))
+
+    def sampled(span):
+        inputs = {"uv": uv, "albedo_map": Texels(picture, picture, span)}
+        return run_intervals(albedo_textured, inputs, profile)["albedo"].value.x
+
+    bytes_, floats = sampled(1.0), sampled(0.0)
+    assert np.allclose(floats.low - bytes_.low, slack, atol=2e-7)
+    assert np.allclose(bytes_.high - floats.high, slack, atol=2e-7)
 
 
 def test_an_undecided_condition_takes_both_sides():

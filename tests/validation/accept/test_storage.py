@@ -10,15 +10,16 @@ from hypothesis import strategies as st
 import sss_ref
 from sss_ref.dump.loss import LOSSES
 from sss_ref.interpret.intervals.profile import PROFILES
+from sss_ref.numerics.interval import Interval
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.scene_file.color_texture import srgb_decoded
-from sss_ref.validation.accept.storage import before_storage, depth_storage, lost_in_storage, step_of
+from sss_ref.validation.accept.storage import after_storage, before_storage, depth_storage, lost_in_storage, step_of
 
 F = np.float32
 VULKAN = PROFILES["vulkan"]
-CODES = {"unorm8": 255, "unorm10": 1023, "unorm16": 65535, "unorm24": 2**24 - 1, "snorm8": 127, "snorm16": 32767}
-BITS = {"float16": 10, "float24": 15, "float11": 6, "float10": 5}  # of the significand
+CODES = {"unorm8": 255, "rgb10a2": 1023, "unorm16": 65535, "unorm24": 2**24 - 1, "snorm8": 127, "snorm16": 32767}
+BITS = {"float16": 10, "float24": 15, "r11g11b10f": 5}  # of the significand
 LEAST = {"float24": -126}  # exponents of normal numbers; else -14
 
 
@@ -76,6 +77,26 @@ def test_a_half_too_large_is_the_largest_or_infinite(held):
     assert before.low[1] == -np.inf and before.high[1] >= -65504
     assert lost_in_storage("float16", F([1e5]), F([held]))[0] >= held - 1e5
     assert np.isfinite(lost_in_storage("float16", F([5]), F([np.inf]))[0])
+
+
+SMALL_HALF = 3 * 2.0**-16  # a subnormal one
+
+
+def test_a_small_half_may_be_flushed():
+    before = before_storage("float16", F([0.0, SMALL_HALF]))
+    assert before.low[0] == -(2.0**-14) and before.high[0] == 2.0**-14
+    assert before.low[1] == SMALL_HALF - 2.0**-24
+    assert lost_in_storage("float16", F([SMALL_HALF]), F([0.0]))[0] >= SMALL_HALF
+    assert lost_in_storage("float16", F([2.0**-13]), F([0.0]))[0] < 2.0**-13
+
+
+def test_what_a_texture_may_hold_of_an_interval():
+    low, high = [SMALL_HALF, -SMALL_HALF, 1.0, 60000.0, -1e5], [1.0, -SMALL_HALF, 2.0, 1e5, 0.0]
+    held = after_storage("float16", Interval(np.array(low), np.array(high)))
+    assert held.low.tolist() == [0.0, -SMALL_HALF - 2.0**-24, 1 - 2.0**-10, 60000 - 60000 * 2.0**-10, -np.inf]
+    assert held.high.tolist() == [1 + 2.0**-10, 0.0, 2 + 2.0**-9, np.inf, 2.0**-24]
+    held = after_storage("unorm8", Interval(np.array([-3.0, 0.5]), np.array([0.5, 7.0])))
+    assert held.low.tolist() == [-1 / 255, 0.5 - 1 / 255] and held.high.tolist() == [0.5 + 1 / 255, 1 + 1 / 255]
 
 
 @pytest.fixture(scope="module")

@@ -180,7 +180,7 @@ def test_a_narrow_texture_is_recognised(oracle):
     buffers = dict(oracle.buffers) | {"thickness": oracle["thickness"].astype(np.float16).astype(np.float32)}
     found = sss_ref.validate(oracle, buffers)
     assert found.culprit.buffer == "thickness"
-    assert "it was stored as float16" in [each.text for each in found.finding.hypotheses]
+    assert 'it was stored as float16: declare encoding = "float16"' in [each.text for each in found.finding.hypotheses]
 
 
 MISHAPS = {
