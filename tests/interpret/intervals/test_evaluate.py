@@ -20,7 +20,6 @@ from sss_ref.interpret.intervals.enclosing import CONDITION, WHICH_TEXEL
 from sss_ref.interpret.intervals.evaluate import run_intervals
 from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.interpret.intervals.value_sets import Texels
-from sss_ref.passes.camera import albedo_textured
 from sss_ref.interpret.work import buffer_value, uniform_value
 from sss_ref.language import (
     Array,
@@ -42,6 +41,7 @@ from sss_ref.language.sampling import sample_bilinear_clamped, sample_bilinear_r
 from sss_ref.language.types import components, ivec2
 from sss_ref.numerics.interval import Interval
 from sss_ref.passes.blur import scatter
+from sss_ref.passes.camera import albedo_textured
 from sss_ref.passes.translucency import translucency_ratio
 from sss_ref.rendering.draw import Machine, draw
 from sss_ref.rendering.fold import shaded
