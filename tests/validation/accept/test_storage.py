@@ -14,6 +14,7 @@ from sss_ref.numerics.interval import Interval
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.scene_file.color_texture import srgb_decoded
+from sss_ref.validation.accept.dumped import Drawing
 from sss_ref.validation.accept.storage import after_storage, before_storage, depth_storage, lost_in_storage, step_of
 
 F = np.float32
@@ -128,3 +129,12 @@ def test_depths_in_every_format(oracle, depth_format, codes, reversed_depth):
     ).passed
     if depth_format == "D16":
         assert not sss_ref.validate(oracle, held, profile=replace(profile, depth_format="D24"), explain=False).passed
+
+
+def test_a_sampler_may_decode_srgb_by_half_a_code_beside_the_formula():
+    codes = srgb_decoded()[[0, 38, 200, 255]][:, np.newaxis]
+    read = Drawing({}, {"lit": "srgb8"}).as_read("lit", codes)
+    halfway = (F([38.5, 200.5]) / 255 + 0.055) ** 2.4 / 1.055**2.4
+    assert np.allclose(read.high[1:3, 0], halfway, atol=1e-6)
+    assert (read.low[1:, 0] < codes[1:, 0]).all() and (read.low[0], read.high[3]) == (0.0, 1.0)
+    assert Drawing({}, {"lit": "unorm8"}).as_read("lit", codes).low is codes
