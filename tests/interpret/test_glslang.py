@@ -31,6 +31,7 @@ CHOICES = {
     ),
     "mesh.normal_map": ("any.png",),
     "mesh.specular_map": ("any.png",),
+    "lights.0.type": ("directional",),
     "lights": ([{"position": [0.0, 0.0, 5.0]}] * 2, [{"position": [0.0, 0.0, 5.0], "falloff": "inverse_square"}]),
     "irradiance_map.mode": alternatives(settings.IrradianceMap, "mode"),
     "irradiance_map.image": alternatives(settings.IrradianceMap, "image"),
