@@ -8,7 +8,7 @@ from markup import directive, prose
 from pydantic.fields import FieldInfo
 
 from sss_ref.dump import mapping
-from sss_ref.scene_file import quantities, settings
+from sss_ref.scene_file import quantities, scattering, settings
 from sss_ref.scene_file.presets import PRESETS
 
 WORDS = {  # how a reader calls the type of a value
@@ -27,8 +27,8 @@ WORDS = {  # how a reader calls the type of a value
     quantities.Color: "`[r, g, b]`, each ≥ 0",
     quantities.Scale: "number or `[x, y, z]`, none zero",
     settings.MeshColor: '`[r, g, b]`, each ≥ 0, or `"material"`',
-    settings.Kernel: "one of "
-    + ", ".join(f'`"{name}"`' for name in get_args(get_args(settings.KernelName)[0]))
+    scattering.Kernel: "one of "
+    + ", ".join(f'`"{name}"`' for name in get_args(get_args(scattering.KernelName)[0]))
     + ", or an array of `[X, Y, r, g, b]`",
     mapping.Part: "text or whole number",
     mapping.ChannelNames: "text of single letters, or an array of names",

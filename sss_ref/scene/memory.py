@@ -11,7 +11,7 @@ from typing import Any
 from sss_ref.errors.wording import KeyPath, unmet_at
 from sss_ref.language.layout import CHANNELS, dtype_of
 from sss_ref.scene.catalogue import method_of
-from sss_ref.scene_file import settings, viewpoints
+from sss_ref.scene_file import scattering, settings, viewpoints
 from sss_ref.scene_file.presets import PRESETS
 
 MEMORY_LIMIT = 4 * 2**30  # bytes
@@ -62,8 +62,8 @@ def _plainest(tables: Mapping[str, Any]) -> settings.SceneFile:
         mesh=tables.get("mesh", settings.MeshSettings.model_construct(path="")),
         camera=viewpoints.OrbitCamera.model_construct(type="orbit"),
         lights=(viewpoints.PointLight.model_construct(),) * len(tables.get("lights", "1")),
-        translucency=settings.TranslucencySettings.model_construct(**preset["translucency"]),
-        blur=settings.Blur.model_construct(**preset["blur"]),
+        translucency=scattering.TranslucencySettings.model_construct(**preset["translucency"]),
+        blur=scattering.Blur.model_construct(**preset["blur"]),
         irradiance_map=settings.IrradianceMap.model_construct(**preset["irradiance_map"]),
     )
 

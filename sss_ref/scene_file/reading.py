@@ -11,7 +11,7 @@ from pydantic import BaseModel, ValidationError
 from sss_ref.errors import SceneError
 from sss_ref.errors.text_file import toml_of
 from sss_ref.errors.wording import KeyPath, described, told
-from sss_ref.scene_file import settings, viewpoints
+from sss_ref.scene_file import scattering, settings, viewpoints
 from sss_ref.scene_file.bundled import bundled_settings, is_bundle
 from sss_ref.scene_file.layers import filled, is_overridden, overridden, override_paths
 from sss_ref.scene_file.presets import misfits
@@ -29,8 +29,8 @@ TABLES: dict[KeyPath, type[BaseModel]] = {
     ("lights", "directional"): viewpoints.DirectionalLight,
     ("shadow_map",): settings.ShadowMap,
     ("phong",): settings.PhongSettings,
-    ("translucency",): settings.TranslucencySettings,
-    ("blur",): settings.Blur,
+    ("translucency",): scattering.TranslucencySettings,
+    ("blur",): scattering.Blur,
     ("irradiance_map",): settings.IrradianceMap,
     ("output",): settings.Output,
 }

@@ -11,7 +11,7 @@ from scenes import settings_with
 from sss_ref.interpret.shader import DIALECTS, shader_files
 from sss_ref.methods.stages import all_stages
 from sss_ref.scene.catalogue import METHODS, method_of
-from sss_ref.scene_file import settings
+from sss_ref.scene_file import scattering, settings
 
 VALIDATOR = shutil.which("glslangValidator")
 LENGTHS = {"tap_offset": 13, "tap_weight": 13, "material_color": 2}
@@ -21,12 +21,12 @@ CHOICES = {
     "mesh.texture": ("any.png",),
     "shadow_map.filter": alternatives(settings.ShadowMap, "filter"),
     "shadow_map.test": alternatives(settings.ShadowMap, "test"),
-    "translucency.form": alternatives(settings.TranslucencySettings, "form"),
-    "translucency.combine": alternatives(settings.TranslucencySettings, "combine"),
-    "blur.mask": alternatives(settings.Blur, "mask"),
+    "translucency.form": alternatives(scattering.TranslucencySettings, "form"),
+    "translucency.combine": alternatives(scattering.TranslucencySettings, "combine"),
+    "blur.mask": alternatives(scattering.Blur, "mask"),
     "blur": tuple(
         {"unit": "mm", "mask": mask, "follow_surface": follow}
-        for mask in alternatives(settings.Blur, "mask")
+        for mask in alternatives(scattering.Blur, "mask")
         for follow in (False, True)
     ),
     "mesh.normal_map": ("any.png",),

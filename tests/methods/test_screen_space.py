@@ -9,7 +9,7 @@ from sss_ref.errors import RenderError
 from sss_ref.rendering.fold import render
 from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import load_scene
-from sss_ref.scene_file import settings, viewpoints
+from sss_ref.scene_file import scattering, settings, viewpoints
 
 USER_KERNEL = [[0.0, 0.0, 0.5, 0.25, 0.125], [2.5, -1.25, 0.5, 0.75, 0.875], [-200.0, 3.0, 0.25, 0.0, 0.5]]
 
@@ -151,9 +151,9 @@ def test_the_cases_hold_every_alternative_of_the_scene_file():
     alternatives = {
         "shadow_map.filter": settings.ShadowMap.model_fields["filter"],
         "shadow_map.test": settings.ShadowMap.model_fields["test"],
-        "translucency.form": settings.TranslucencySettings.model_fields["form"],
-        "translucency.combine": settings.TranslucencySettings.model_fields["combine"],
-        "blur.mask": settings.Blur.model_fields["mask"],
+        "translucency.form": scattering.TranslucencySettings.model_fields["form"],
+        "translucency.combine": scattering.TranslucencySettings.model_fields["combine"],
+        "blur.mask": scattering.Blur.model_fields["mask"],
         "lights.0.falloff": viewpoints.PointLight.model_fields["falloff"],
     }
     assert {key: set(get_args(field.annotation)) for key, field in alternatives.items()} == {

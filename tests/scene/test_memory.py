@@ -13,7 +13,8 @@ from sss_ref.scene.catalogue import METHODS
 from sss_ref.scene.memory import bytes_per_pixel
 from sss_ref.scene_file import color_texture as textures
 from sss_ref.scene_file.presets import ROBUST
-from sss_ref.scene_file.settings import Blur, MeshSettings
+from sss_ref.scene_file.scattering import Blur
+from sss_ref.scene_file.settings import MeshSettings
 from sss_ref.scene_file.viewpoints import PointLight
 
 

@@ -7,7 +7,7 @@ from typing import get_args
 from scenes import settings_with
 
 from sss_ref.scene.catalogue import METHODS, method_of
-from sss_ref.scene_file import settings, viewpoints
+from sss_ref.scene_file import scattering, settings, viewpoints
 from sss_ref.scene_file.presets import FIXED, ONLY_PUBLISHED
 
 
@@ -31,9 +31,9 @@ def methods_with_settings():
         "mesh.texture": (None, "any.png"),
         "shadow_map.filter": alternatives(settings.ShadowMap, "filter"),
         "shadow_map.test": alternatives(settings.ShadowMap, "test"),
-        "translucency.form": alternatives(settings.TranslucencySettings, "form"),
-        "translucency.combine": alternatives(settings.TranslucencySettings, "combine"),
-        "blur.mask": alternatives(settings.Blur, "mask"),
+        "translucency.form": alternatives(scattering.TranslucencySettings, "form"),
+        "translucency.combine": alternatives(scattering.TranslucencySettings, "combine"),
+        "blur.mask": alternatives(scattering.Blur, "mask"),
         "lights.0.falloff": alternatives(viewpoints.PointLight, "falloff"),
         "irradiance_map.mode": alternatives(settings.IrradianceMap, "mode"),
         "irradiance_map.image": alternatives(settings.IrradianceMap, "image"),
@@ -43,7 +43,7 @@ def methods_with_settings():
         cases.append({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * 3})
         cases.append({"method": method, "lights.0.type": "directional"})
         cases.append({"method": method, "preset": "published"})
-        for lights, mask, follow in product((1, 3), alternatives(settings.Blur, "mask"), (False, True)):
+        for lights, mask, follow in product((1, 3), alternatives(scattering.Blur, "mask"), (False, True)):
             blur = {"unit": "mm", "mask": mask, "follow_surface": follow}
             cases.append({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * lights, "blur": blur})
         cases.append({"method": method, "mesh.normal_map": "any.png", "mesh.specular_map": "any.png"})

@@ -1,0 +1,102 @@
+"""How light goes through the body: the [translucency] table, from behind, and the [blur] table, sideways."""
+
+import math
+from typing import Annotated, Literal
+
+from pydantic import Discriminator, Field, Tag, ValidationInfo, field_validator
+
+from sss_ref.errors.wording import unmet
+from sss_ref.scene_file.kernels import KERNELS, Tap, channel_sums, normalized
+from sss_ref.scene_file.quantities import (
+    LARGEST_SIZE,
+    NonNegative,
+    Number,
+    Positive,
+    PositiveOrZero,
+    Table,
+    TapRow,
+    requiring,
+)
+
+KernelName = Annotated[Literal["table1", "hbh09", "schoenberger"], Tag("name")]
+KernelTable = Annotated[tuple[TapRow, ...], Field(strict=False), requiring(len, "at least one row"), Tag("table")]
+Kernel = Annotated[KernelName | KernelTable, Discriminator(lambda value: "name" if isinstance(value, str) else "table")]
+
+
+class TranslucencySettings(Table):
+    """[translucency]: the light T that comes through a thickness d, and how it joins reflected light (paper 3.2)."""
+
+    form: Literal["ratio", "exponent", "beer"]
+    """ratio: x^y / d^exponent; exponent: x^(y / d^exponent); beer: exp(-x * d)."""
+    combine: Literal["multiply", "add", "transmit"]
+    """multiply: the reflected light is scaled by T; add: T is added, less where the light is faced;
+    transmit: T is added where the surface faces away."""
+    x: Positive
+    """Base (beer: extinction per scene unit)."""
+    y: Number
+    """Power of the base."""
+    exponent: Number = 0.6
+    """Power of the thickness."""
+    scale: NonNegative
+    """Factor on T where it is added."""
+    d_min: PositiveOrZero
+    """Smallest thickness that T is computed from, scene units."""
+
+
+class Blur(Table):
+    """[blur]: the screen-space diffusion (paper 3.2)."""
+
+    kernel: Kernel
+    """The name of a published kernel, or rows [X, Y, red, green, blue] with X, Y in pixels."""
+    unit: Literal["pixel", "mm"] = "pixel"
+    """Of the kernel's offsets X and Y: pixels or texels (paper 3.2), or millimetres on the surface. Preset
+    robust has mm, and follow_surface, where the scene gives mm_per_unit and no pixel_scale."""
+    pixel_scale: NonNegative
+    """Pixels or texels that an offset of 1 is, with unit "pixel"."""
+    mm_per_offset: Positive = 1.2
+    """Millimetres that an offset of 1 is, with unit "mm"; 1.2 fits hbh09 to measured skin."""
+    follow_surface: bool = False
+    """Whether taps of mask "output" or "taps" leave out what lies farther before or behind than the kernel reaches;
+    on the picture, with unit "mm"."""
+    mask: Literal["none", "output", "taps"]
+    """Where it acts: everywhere, on covered pixels, or on covered pixels from covered taps only."""
+    normalize: bool = False
+    """Whether each channel's weights are divided by their sum."""
+
+    @property
+    def taps(self) -> tuple[Tap, ...]:
+        """The rows (X, Y, red, green, blue) in use: X, Y in pixels before pixel_scale; weights normalised if asked."""
+        rows = _rows(self.kernel)
+        return normalized(rows) if self.normalize else rows
+
+    @property
+    def reach(self) -> float:
+        """The length of the longest offset."""
+        return max(math.sqrt(x * x + y * y) for x, y, *_ in self.taps)
+
+    @field_validator("pixel_scale")
+    @classmethod
+    def _within_reach(cls, pixel_scale: float, info: ValidationInfo) -> float:
+        reach = max(max(abs(x), abs(y)) for x, y, *_ in _rows(info.data.get("kernel", "table1")))
+        scale = pixel_scale if info.data.get("unit") == "pixel" else 1.0
+        if reach * scale > LARGEST_SIZE:
+            raise unmet(f"taps within {LARGEST_SIZE} pixels (the farthest is at {reach:g})", "choose a smaller scale")
+        return pixel_scale
+
+    @field_validator("follow_surface")
+    @classmethod
+    def _knows_lengths(cls, follow_surface: bool, info: ValidationInfo) -> bool:
+        if follow_surface and info.data.get("unit") == "pixel":
+            raise unmet('false with blur.unit = "pixel"', 'set blur.unit = "mm"')
+        return follow_surface
+
+    @field_validator("normalize")
+    @classmethod
+    def _has_weight(cls, normalize: bool, info: ValidationInfo) -> bool:
+        if normalize and not all(channel_sums(_rows(info.data.get("kernel", "table1")))):
+            raise unmet("a kernel whose channels have sums other than 0", "set it to false or change the kernel")
+        return normalize
+
+
+def _rows(kernel: str | tuple[Tap, ...]) -> tuple[Tap, ...]:
+    return KERNELS[kernel] if isinstance(kernel, str) else kernel
