@@ -29,7 +29,13 @@ FOUND_BY_TYPE = {
 
 # Where a value may have one of several forms, pydantic inserts the form's name after these keys.
 ANY = -1  # the place of every element of an array
-CHOICES: tuple[KeyPath, ...] = (("camera",), ("lights", ANY), ("mesh", "color"), ("blur", "kernel"))
+CHOICES: tuple[KeyPath, ...] = (
+    ("camera",),
+    ("lights", ANY),
+    ("mesh", "color"),
+    ("blur", "kernel"),
+    *(("translucency", key) for key in ("x", "y", "exponent", "scale", "d_min")),
+)
 
 
 def unmet(expected: str, remedy: str, came: str | None = None) -> PydanticCustomError:

@@ -4,7 +4,7 @@ from sss_ref.language import Stage
 from sss_ref.language.names import tap_name
 from sss_ref.language.pipeline import Method, Pass, ScreenDraw
 from sss_ref.methods.per_light import Lights
-from sss_ref.methods.shared import NEUTRAL, behind_the_surface, camera_view, shadow_maps
+from sss_ref.methods.shared import NEUTRAL, behind_the_surface, by_channel, camera_view, shadow_maps
 from sss_ref.passes import blur, blur_on_surface, composite, lengths, translucency
 from sss_ref.scene_file.settings import SceneFile
 
@@ -28,7 +28,7 @@ def screen_space(settings: SceneFile) -> Method:
     masked = settings.blur.mask != "none"
     stencil = ScreenDraw("coverage" if masked else "")
     combine, neutral = COMBINE[settings.translucency.combine]
-    lit = (*lights.each(combine), *lights.summed("lit"))
+    lit = (*lights.each(by_channel(settings, combine)), *lights.summed("lit"))
     lengths_there, scale = UNIT[settings.blur.unit]
     camera = (*behind_the_surface(settings, lights), *lengths_there, *lit)
     blurred = (BLUR_ON_SURFACE if settings.blur.follow_surface else BLUR)[settings.blur.mask]

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from sss_ref.language import Stage
+from sss_ref.language import Stage, vec3
 from sss_ref.language.names import Name
 from sss_ref.language.pipeline import MeshDraw, Pass
 from sss_ref.methods.per_light import Lights, of_light
@@ -22,6 +22,7 @@ FORM = {
     "exponent": translucency.translucency_exponent,
     "beer": translucency.translucency_beer,
 }
+BY_CHANNEL = ("x", "y", "exponent", "d_min", "translucency", "translucency_scale")  # one number, or one a channel
 
 NEUTRAL = "translucency_neutral"  # the uniform with the T that leaves the colour as it is
 
@@ -48,6 +49,14 @@ def camera_view(settings: SceneFile) -> MeshDraw:
 def surface_stages(settings: SceneFile) -> tuple[Stage, ...]:
     """The surface; under a normal map its own normal has another name."""
     return (surface.bound(normal_world=UNMAPPED), normal_mapped) if settings.mesh.normal_map else (surface,)
+
+
+def by_channel(settings: SceneFile, stage: Stage) -> Stage:
+    """A stage of the translucency as it is, or, where the scene has three numbers, with one for each channel."""
+    if not settings.translucency.by_channel:
+        return stage
+    own = {*stage.parameters, *stage.outputs}
+    return stage.retyped(**{name: vec3 for name in BY_CHANNEL if name in own})
 
 
 def shining(settings: SceneFile, *stages: Stage) -> tuple[Stage, ...]:
@@ -87,5 +96,5 @@ def behind_the_surface(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]
         *light_at_the_surface(settings, lights),
         *shining(settings, *lights.each(phong.phong_shading)),
         *lights.summed("phong"),
-        *lights.each(FORM[settings.translucency.form]),
+        *lights.each(by_channel(settings, FORM[settings.translucency.form])),
     )

@@ -9,6 +9,7 @@ from sss_ref.methods.per_light import Lights, of_light
 from sss_ref.methods.shared import (
     NEUTRAL,
     behind_the_surface,
+    by_channel,
     camera_view,
     light_at_the_surface,
     shadow_maps,
@@ -52,7 +53,7 @@ def texture_space(settings: SceneFile) -> Method:
     join, neutral = USED[settings.irradiance_map.image]
     used = (
         *lights.each(texture_image.irradiance_lookup),
-        *lights.each(join),
+        *lights.each(by_channel(settings, join)),
         *lights.summed("irradiance_used"),
     )
     camera = (*behind_the_surface(settings, lights), *used, *image(settings, lights))

@@ -2,7 +2,21 @@
 
 from typing import NamedTuple
 
-from sss_ref.language import constant, dot, exp, function, max, min, normalize, pow, select, stage, vec2, vec3
+from sss_ref.language import (
+    constant,
+    dot,
+    exp,
+    function,
+    genType,
+    max,
+    min,
+    normalize,
+    pow,
+    select,
+    stage,
+    vec2,
+    vec3,
+)
 
 TRANSLUCENCY_MAX = constant(65504.0)  # the largest half float, so that a dump in any format can hold it
 
@@ -14,12 +28,13 @@ class Translucency(NamedTuple):
 
 
 @function
-def where_light_passes(term: float, directly_lit: bool, shadow_uv: vec2, neutral: float) -> float:
+def where_light_passes(term: genType, directly_lit: bool, shadow_uv: vec2, neutral: float) -> genType:
     """The term, bounded, where light may come through the body; `neutral` (1 to multiply, 0 to add) elsewhere.
 
     On the map's background nothing stands before the fragment: there the term is that of thickness 0.
     """
-    return select(directly_lit, neutral, select(shadow_uv.x >= 0.0, min(term, TRANSLUCENCY_MAX), neutral))
+    bounded = min(term, TRANSLUCENCY_MAX)  # type: ignore[type-var]  # a number stands for all channels of a vector
+    return select(directly_lit, neutral, select(shadow_uv.x >= 0.0, bounded, neutral))  # type: ignore[return-value,type-var]
 
 
 @stage(source="paper 3.2: x^y / d^0.6")

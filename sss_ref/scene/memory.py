@@ -56,6 +56,9 @@ def _plainest(tables: Mapping[str, Any]) -> settings.SceneFile:
     preset = {name: PRESETS[chosen][name] for name in ("translucency", "blur", "irradiance_map")}
     if chosen != "published" and "blur" in tables:
         preset["blur"] = {**preset["blur"], "unit": tables["blur"].unit}
+    if "translucency" in tables:
+        three = (1.0,) * 3 if tables["translucency"].by_channel else 1.0
+        preset["translucency"] = {**preset["translucency"], "scale": three}
     return settings.SceneFile.model_construct(
         method=tables.get("method", "screen_space"),
         preset=chosen,

@@ -10,6 +10,7 @@ from sss_ref.language.names import Name, tap_name
 from sss_ref.mesh.stretch import stretch_of
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.passes.light_uniforms import LightUniforms
+from sss_ref.scene_file.scattering import TranslucencySettings
 from sss_ref.scene_file.settings import MeshSettings, SceneFile
 from sss_ref.view.matrices import Matrix, Vector, mirrors, normal_matrix
 from sss_ref.view.views import Light, View
@@ -51,11 +52,7 @@ def uniforms_of(
         "diffuse": settings.phong.diffuse,
         "specular": settings.phong.specular,
         "shininess": settings.phong.shininess,
-        "x": settings.translucency.x,
-        "y": settings.translucency.y,
-        "exponent": settings.translucency.exponent,
-        "d_min": settings.translucency.d_min,
-        "translucency_scale": settings.translucency.scale,
+        **_of_translucency(settings.translucency),
         **constants,
         "pixel_scale": settings.blur.pixel_scale,
         "mm_per_offset": settings.blur.mm_per_offset,
@@ -68,6 +65,19 @@ def uniforms_of(
     rounded = {name: np.array(value, np.float32, order="C") for name, value in values.items()}
     scalars = {name: value if value.ndim else value[()] for name, value in rounded.items()}
     return {**scalars, "tap_count": len(taps)}
+
+
+def _of_translucency(translucency: TranslucencySettings) -> dict[str, Any]:
+    """Its uniforms; where one has three channels, all that may have them do."""
+    values = {
+        "x": translucency.x,
+        "y": translucency.y,
+        "exponent": translucency.exponent,
+        "d_min": translucency.d_min,
+        "translucency_scale": translucency.scale,
+    }
+    channels = 3 if translucency.by_channel else ()
+    return {name: np.broadcast_to(value, channels) for name, value in values.items()}
 
 
 def _ahead(settings: SceneFile, camera: View) -> Vector:

@@ -1,10 +1,10 @@
 """What the tables of a scene file are made of. Whole numbers pass for numbers; true, text, nan and inf never do."""
 
 from collections.abc import Callable
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
 import numpy as np
-from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag
 
 from sss_ref.errors.wording import unmet
 
@@ -43,6 +43,12 @@ Color = Annotated[tuple[NonNegative, NonNegative, NonNegative], Field(strict=Fal
 Direction = Annotated[Vector, requiring(any, "a vector that is not zero")]
 Scale = Annotated[Vector, BeforeValidator(_three_times), requiring(all, "factors that are not zero")]
 TapRow = Annotated[tuple[Number, Number, Number, Number, Number], Field(strict=False)]
+
+N = TypeVar("N")
+OneOrThree = Annotated[  # one number for all channels, or red, green and blue
+    Annotated[N, Tag("one")] | Annotated[tuple[N, N, N], Field(strict=False), Tag("three")],
+    Discriminator(lambda value: "three" if isinstance(value, list | tuple) else "one"),
+]
 
 
 class Table(BaseModel):

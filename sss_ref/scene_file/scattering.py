@@ -11,6 +11,7 @@ from sss_ref.scene_file.quantities import (
     LARGEST_SIZE,
     NonNegative,
     Number,
+    OneOrThree,
     Positive,
     PositiveOrZero,
     Table,
@@ -24,23 +25,32 @@ Kernel = Annotated[KernelName | KernelTable, Discriminator(lambda value: "name" 
 
 
 class TranslucencySettings(Table):
-    """[translucency]: the light T that comes through a thickness d, and how it joins reflected light (paper 3.2)."""
+    """[translucency]: the light T that comes through a thickness d, and how it joins reflected light (paper 3.2).
+
+    x, y, exponent, scale and d_min take one number, or three, for red, green and blue; T then has three channels.
+    """
 
     form: Literal["ratio", "exponent", "beer"]
     """ratio: x^y / d^exponent; exponent: x^(y / d^exponent); beer: exp(-x * d)."""
     combine: Literal["multiply", "add", "transmit"]
     """multiply: the reflected light is scaled by T; add: T is added, less where the light is faced;
     transmit: T is added where the surface faces away."""
-    x: Positive
+    x: OneOrThree[Positive]
     """Base (beer: extinction per scene unit)."""
-    y: Number
+    y: OneOrThree[Number]
     """Power of the base."""
-    exponent: Number = 0.6
+    exponent: OneOrThree[Number] = 0.6
     """Power of the thickness."""
-    scale: NonNegative
+    scale: OneOrThree[NonNegative]
     """Factor on T where it is added."""
-    d_min: PositiveOrZero
+    d_min: OneOrThree[PositiveOrZero]
     """Smallest thickness that T is computed from, scene units."""
+
+    @property
+    def by_channel(self) -> bool:
+        """Whether T has three channels: where one of the numbers is three."""
+        numbers = (self.x, self.y, self.exponent, self.scale, self.d_min)
+        return any(isinstance(number, tuple) for number in numbers)
 
 
 class Blur(Table):

@@ -32,6 +32,11 @@ CHOICES = {
     "mesh.normal_map": ("any.png",),
     "mesh.specular_map": ("any.png",),
     "lights.0.type": ("directional",),
+    "translucency": tuple(
+        {"combine": combine, "scale": [0.2, 0.3, 0.4]}
+        for combine in alternatives(scattering.TranslucencySettings, "combine")
+    )
+    + tuple({"form": form, "x": [2.0, 1.5, 1.0]} for form in alternatives(scattering.TranslucencySettings, "form")),
     "lights": ([{"position": [0.0, 0.0, 5.0]}] * 2, [{"position": [0.0, 0.0, 5.0], "falloff": "inverse_square"}]),
     "irradiance_map.mode": alternatives(settings.IrradianceMap, "mode"),
     "irradiance_map.image": alternatives(settings.IrradianceMap, "image"),

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from one_stage import call
 
+from sss_ref.language import vec3
 from sss_ref.passes.translucency import (
     lit_add,
     lit_multiply,
@@ -57,6 +58,15 @@ def test_translucency_beer():
     assert call(translucency_beer, thickness=0.5, **beer) == (np.float32(0.36787944117),)
     assert call(translucency_beer, thickness=0, **beer) == (1,)
     assert call(translucency_beer, thickness=1e30, **beer) == (0,)
+
+
+def test_one_number_for_each_channel():
+    three = translucency_ratio.retyped(x=vec3, y=vec3, exponent=vec3, d_min=vec3, translucency=vec3)
+    # 2^-1 / 4^.5, 3^2 / 4^1, 1^5 / 16^2 for its d_min.
+    material = {"x": (2, 3, 1), "y": (-1, 2, 5), "exponent": (0.5, 1, 2), "d_min": (0.25, 0, 16)}
+    assert call(three, thickness=4, **SHADED, **material, translucency_neutral=1) == ((0.25, 2.25, 1 / 256),)
+    lit = {**SHADED, "directly_lit": True}
+    assert call(three, thickness=4, **lit, **material, translucency_neutral=1) == ((1, 1, 1),)
 
 
 @pytest.mark.parametrize("neutral", [0, 1])

@@ -14,6 +14,22 @@ def test_parameters_survive_rounding_to_float32():
     assert TranslucencySettings(form="beer", combine="add", x=1e-45, y=y, scale=1, d_min=1).y == y
 
 
+ONE = {"form": "ratio", "combine": "add", "x": 1, "y": 1, "scale": 1, "d_min": 1}
+
+
+def test_one_number_or_three_for_each_channel():
+    assert not TranslucencySettings(**ONE).by_channel
+    for key in ("x", "y", "exponent", "scale", "d_min"):
+        three = TranslucencySettings(**{**ONE, key: [1, 2, 3]})
+        assert three.by_channel and getattr(three, key) == (1, 2, 3)
+
+
+@pytest.mark.parametrize("wrong", [[1, 2], [1, 2, 3, 4], [1, -2, 3], [1, True, 3], True])
+def test_channels_that_are_none(wrong):
+    with pytest.raises(ValidationError):
+        TranslucencySettings(**{**ONE, "x": wrong})
+
+
 def test_kernels_sum_to_what_their_authors_printed():
     assert [round(s, 4) for s in channel_sums(TABLE1)] == [0.9977, 1.0494, 0.9996]
     assert [round(s, 6) for s in channel_sums(HBH09)] == [0.998440, 1.000001, 0.999999]

@@ -46,5 +46,11 @@ def methods_with_settings():
         for lights, mask, follow in product((1, 3), alternatives(scattering.Blur, "mask"), (False, True)):
             blur = {"unit": "mm", "mask": mask, "follow_surface": follow}
             cases.append({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * lights, "blur": blur})
+        for lights, form in product((1, 3), alternatives(scattering.TranslucencySettings, "form")):
+            colored = {"form": form, "x": [2.0, 1.5, 1.0]}
+            cases.append(
+                {"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * lights, "translucency": colored}
+            )
+        cases.append({"method": method, "preset": "published", "translucency": {"x": [0.5, 0.4, 0.3]}})
         cases.append({"method": method, "mesh.normal_map": "any.png", "mesh.specular_map": "any.png"})
     return [(method_of(one), one) for one in map(settings_with, cases)]

@@ -90,6 +90,11 @@ UNIFORMS: dict[str, Any] = {
     "exponent": np.float32(0.6),
     "d_min": np.float32(0.1),
     "translucency_neutral": np.float32(1),
+    "x_by_channel": np.array([2, 0.7, 1.5], np.float32),
+    "y_by_channel": np.array([-1, 0.5, 3], np.float32),
+    "exponent_by_channel": np.array([0.6, 1, 0.3], np.float32),
+    "d_min_by_channel": np.array([0.1, 0, 0.5], np.float32),
+    "scale_by_channel": np.array([0.2, 1, 0], np.float32),
     "translucency_scale": np.float32(0.2),
     "pixel_scale": np.float32(1),
     "offset": np.array([-1.3, 2.6], np.float32),
@@ -245,9 +250,10 @@ def colors(picture: Picture) -> dict[str, np.ndarray]:
 
 
 def lengths(picture: Picture) -> dict[str, np.ndarray]:
-    """What a pixel or texel spans, and how many of them an offset is."""
+    """What a pixel or texel spans, and how many of them an offset is; T of each channel."""
     one, both = ((*picture.shape, *axes) for axes in ((), (2,)))
     return {
+        "translucency_by_channel": picture.mixed(picture.rng.exponential(size=(*picture.shape, 3)), [[0, 1, 65504]]),
         "mm_per_pixel": picture.mixed(picture.rng.exponential(size=one), LENGTHS),
         "pixels_per_offset": picture.mixed(picture.rng.exponential(size=one), SCALES),
         "mm_per_texel": picture.mixed(picture.rng.exponential(size=both), [[0, 0], [1e30, 1e-30], [-1, 2]]),

@@ -8,7 +8,7 @@ from sss_ref.language.pipeline import Method, Pass, ScreenDraw
 from sss_ref.methods.published import byte_targets as encoding
 from sss_ref.methods.published import printed_stages as published
 from sss_ref.methods.screen_space import single_taps
-from sss_ref.methods.shared import ALBEDO, CAMERA_VIEW, LIGHT_VIEW, NEUTRAL
+from sss_ref.methods.shared import ALBEDO, CAMERA_VIEW, LIGHT_VIEW, NEUTRAL, by_channel
 from sss_ref.methods.texture_space import LAYOUT, in_texels
 from sss_ref.passes import blur, composite, irradiance, phong, shadow_map, translucency
 from sss_ref.passes.camera import surface
@@ -25,8 +25,8 @@ def screen_space(settings: SceneFile) -> Method:
     camera = (
         *surface_colors(settings),
         published.entry_interpolated,
-        *phong_and_translucency(),
-        *in_bytes(translucency.lit_add, "lit"),
+        *phong_and_translucency(settings),
+        *in_bytes(by_channel(settings, translucency.lit_add), "lit"),
     )
     window = ScreenDraw()
     return Method(
@@ -48,9 +48,9 @@ def texture_space(settings: SceneFile) -> Method:
     camera = (
         *surface_colors(settings),
         published.entry_from_irradiance,
-        *phong_and_translucency(),
+        *phong_and_translucency(settings),
         published.irradiance_gathered,
-        *in_bytes(published.image_sqrt_add, "image"),
+        *in_bytes(by_channel(settings, published.image_sqrt_add), "image"),
     )
     return Method(
         "texture_space",
@@ -85,6 +85,6 @@ def surface_colors(settings: SceneFile) -> tuple[Stage, ...]:
     return surface, ALBEDO[settings.mesh.albedo], phong.light_constant
 
 
-def phong_and_translucency() -> tuple[Stage, ...]:
+def phong_and_translucency(settings: SceneFile) -> tuple[Stage, ...]:
     """From the thickness on: whether the fragment is lit, its Phong colour, and T."""
-    return published.directly_lit_exact, published.phong_ungated, published.translucency_unclamped
+    return published.directly_lit_exact, published.phong_ungated, by_channel(settings, published.translucency_unclamped)
