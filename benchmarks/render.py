@@ -16,21 +16,27 @@ import sss_ref
 
 
 def bumpy_sphere(triangles: int) -> str:
-    """An OBJ of a sphere with gentle bumps, about as many triangles as asked."""
+    """An OBJ of a sphere with gentle bumps and UVs, about as many triangles as asked."""
     rows = round((triangles / 4) ** 0.5)
     polar, around = np.meshgrid(np.linspace(0, np.pi, rows + 1), np.linspace(0, 2 * np.pi, 2 * rows + 1), indexing="ij")
     radius = 1 + 0.1 * np.sin(5 * around) * np.sin(polar) * np.sin(4 * polar)
     x, y, z = radius * np.sin(polar) * np.sin(around), radius * np.cos(polar), radius * np.sin(polar) * np.cos(around)
     lines = [f"v {a:.6f} {b:.6f} {c:.6f}" for a, b, c in zip(x.flat, y.flat, z.flat, strict=True)]
+    lines += [f"vt {u:.6f} {v:.6f}" for u, v in zip((around / (2 * np.pi)).flat, (1 - polar / np.pi).flat, strict=True)]
     wide = 2 * rows + 1
     for row in range(rows):
         for column in range(2 * rows):
             a = row * wide + column + 1
             if row > 0:
-                lines.append(f"f {a} {a + wide} {a + 1}")
+                lines.append(face(a, a + wide, a + 1))
             if row < rows - 1:
-                lines.append(f"f {a + 1} {a + wide} {a + wide + 1}")
+                lines.append(face(a + 1, a + wide, a + wide + 1))
     return "\n".join(lines) + "\n"
+
+
+def face(*vertices: int) -> str:
+    """A line of an OBJ: a triangle whose corners have a position and a UV of the same number."""
+    return "f " + " ".join(f"{vertex}/{vertex}" for vertex in vertices)
 
 
 def main() -> None:
