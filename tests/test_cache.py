@@ -37,10 +37,10 @@ def test_an_edited_callee_is_compiled_anew(package, tmp_path):
     assert hashes_elsewhere(scene, cache, keep=KEEP, package=package) == before
     assert machine_code(cache) == code
 
-    callee = package / "sss_ref" / "raster" / "interpolate.py"
-    original = "np.float32(at(e0, column, row)) * inverse_w"
+    callee = package / "sss_ref" / "raster" / "primitives.py"
+    original = "np.rint((window - HALF) * np.float32(step))"
     assert callee.read_text().count(original) == 1
-    callee.write_text(callee.read_text().replace(original, "np.float32(2) * " + original))
+    callee.write_text(callee.read_text().replace(original, "np.float32(0.5) * " + original))
     after = hashes_elsewhere(scene, cache, keep=KEEP, package=package)
     assert after.keys() == before.keys() == {"position_world"}
     assert after != before

@@ -64,3 +64,13 @@ def compiled(function: Callable[..., Any]) -> Callable[..., Any]:
         with _caching_in(folder):
             kernel = numba.njit(cache=True, **CONTRACT)(function)
     return kernel
+
+
+def callable_compiled(function: Callable[..., Any], signature: Any) -> Any:
+    """Compile `function` at once, under the same contract and cached, as one that is called by its `address`."""
+    folder = cache_folder()
+    options = {"error_model": CONTRACT["error_model"]}
+    if folder is None:
+        return numba.cfunc(signature, **options)(function)
+    with _caching_in(folder):
+        return numba.cfunc(signature, cache=True, **options)(function)

@@ -1,4 +1,4 @@
-"""Perspective-correct interpolation inside a piece (rule R5): its weights, compiled, and all of it in NumPy.
+"""Perspective-correct interpolation inside a piece (rule R5): in NumPy; kernels have it by rows.
 
 The exact edge functions e_i are taken positive inside, whichever way the piece turns, and rounded once to float32:
 
@@ -10,21 +10,7 @@ so the sign is part of the rule.
 
 import numpy as np
 
-from sss_ref.cache.compiled import compiled
-from sss_ref.raster.coverage import at, edges
 from sss_ref.raster.primitives import Primitives
-
-
-@compiled
-def barycentric(primitives, piece, column, row, step):
-    """The weights (w0, w1, w2), float32, of a piece's corners at the sample of a pixel; step = 2^subpixel_bits."""
-    corners, inverse_w = primitives.corners, primitives.inverse_w
-    e0, e1, e2 = edges(primitives, piece, step)
-    return (
-        np.float32(at(e0, column, row)) * inverse_w[corners[piece, 0]],
-        np.float32(at(e1, column, row)) * inverse_w[corners[piece, 1]],
-        np.float32(at(e2, column, row)) * inverse_w[corners[piece, 2]],
-    )
 
 
 def weights_arrays(

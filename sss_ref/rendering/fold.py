@@ -15,7 +15,7 @@ import numpy as np
 
 from sss_ref.errors import SceneError
 from sss_ref.interpret import arrays
-from sss_ref.interpret.kernel import loops
+from sss_ref.interpret.kernel import strips
 from sss_ref.language.pipeline import Pass
 from sss_ref.raster.viewport import FINEST
 from sss_ref.rendering.draw import Buffers, Machine, Sketch, draw, shade
@@ -23,7 +23,7 @@ from sss_ref.rendering.nothing_shown import hidden, nothing_drawn
 from sss_ref.rendering.result import Result
 from sss_ref.scene.scene import Scene
 
-INTERPRETERS = {"kernel": loops, "arrays": arrays}
+INTERPRETERS = {"kernel": strips, "arrays": arrays}
 
 
 def render(

@@ -12,6 +12,7 @@ from sss_ref.scene.scene import Scene
 from sss_ref.scene.unseen import framing, unseen
 
 HALF_A_STEP = 1.2e-4  # linear: half of the smallest step that a picture of 8 bits, sRGB, makes; it is the one at black
+SPARSE = 16  # every so many pixels a side are looked at first, for nearly every image shows itself there
 GREY, BLACK = [0.5, 0.5, 0.5], [0.0, 0.0, 0.0]  # backgrounds that set off what is dark, and what is bright
 
 
@@ -34,13 +35,18 @@ def nothing_drawn(scene: Scene, this_pass: Pass, sketch: Sketch) -> Iterator[str
 
 def hidden(scene: Scene, image: np.ndarray) -> Iterator[str]:
     """Whether all pixels of an image, float32 (H, W, 3), look alike, although something is drawn there."""
-    seen = np.clip(image.reshape(-1, 3), 0, 1)
-    if len(seen) == 1 or (np.ptp(seen, axis=0) > HALF_A_STEP).any():
+    if image.size == 3 or _varies(image[::SPARSE, ::SPARSE]) or _varies(image):
         return
     low, high = (f"[{', '.join(f'{value:.3g}' for value in end)}]" for end in (image.min((0, 1)), image.max((0, 1))))
     came = low if low == high else f"{low} to {high}"
     remedy = " or ".join([*_other_background(scene), *_other_light(scene, float(image.max()))])
     yield f"image: every pixel looks the same, {came}, so that nothing is seen of the mesh; set {remedy}"
+
+
+def _varies(image: np.ndarray) -> bool:
+    """Whether a picture shows more than one colour."""
+    seen = np.clip(image.reshape(-1, 3), 0, 1)
+    return bool((np.ptp(seen, axis=0) > HALF_A_STEP).any())
 
 
 def _other_background(scene: Scene) -> Iterator[str]:

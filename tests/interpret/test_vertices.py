@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from sss_ref.interpret import arrays
-from sss_ref.interpret.kernel import loops as kernel
+from sss_ref.interpret.kernel import strips as kernel
 from sss_ref.language.pipeline import MeshDraw, Pass
 from sss_ref.passes.vertex import mesh_vertex
 

@@ -10,7 +10,7 @@ from naive_language import F
 from one_stage import Inputs, assert_same_bits, run, run_naively
 
 from sss_ref.interpret import arrays
-from sss_ref.interpret.kernel import loops as kernel
+from sss_ref.interpret.kernel import strips as kernel
 from sss_ref.language import (
     clamp,
     cross,

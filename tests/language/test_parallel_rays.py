@@ -12,7 +12,7 @@ from one_stage import assert_same_bits, call, run, run_naively
 
 from sss_ref.errors import StageError
 from sss_ref.interpret import arrays
-from sss_ref.interpret.kernel import loops as kernel
+from sss_ref.interpret.kernel import strips as kernel
 from sss_ref.language import length, normalize, stage, vec3
 from sss_ref.language.parallel_rays import Rays
 from sss_ref.methods.stages import all_stages

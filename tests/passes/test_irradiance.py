@@ -6,7 +6,7 @@ import pytest
 from one_stage import Inputs, assert_same_bits, call, run, run_naively
 
 from sss_ref.interpret import arrays
-from sss_ref.interpret.kernel import loops as kernel
+from sss_ref.interpret.kernel import strips as kernel
 from sss_ref.passes.irradiance import dilate, irradiance_distance, irradiance_lambert, irradiance_paper
 
 # The light 4 above the fragment; the normal is of length .5, so that N.L = .5 exactly.

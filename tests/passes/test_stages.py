@@ -13,7 +13,7 @@ from retyped_stages import once_a_channel
 from stage_cases import CASES, FRAGMENT_STAGES, inputs_of
 
 from sss_ref.interpret import arrays
-from sss_ref.interpret.kernel import loops as kernel
+from sss_ref.interpret.kernel import strips as kernel
 from sss_ref.methods.stages import all_stages
 
 NAIVE = {

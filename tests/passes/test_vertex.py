@@ -6,7 +6,7 @@ import pytest
 from one_stage import assert_same_bits, call
 
 from sss_ref.interpret import arrays
-from sss_ref.interpret.kernel import loops as kernel
+from sss_ref.interpret.kernel import strips as kernel
 from sss_ref.language.pipeline import MeshDraw, Pass
 from sss_ref.passes.vertex import layout_vertex, mesh_vertex, tangent_layout_vertex, tangent_vertex
 

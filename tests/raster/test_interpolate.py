@@ -1,8 +1,8 @@
 import numpy as np
 import pytest
-from raster_proof import assert_same_bits, interpolate_compiled
+from raster_proof import assert_same_bits, interpolate_compiled, weights_compiled
 
-from sss_ref.raster.interpolate import barycentric, interpolate_arrays
+from sss_ref.raster.interpolate import interpolate_arrays, weights_arrays
 from sss_ref.raster.primitives import assemble
 from sss_ref.raster.viewport import Viewport
 
@@ -18,8 +18,10 @@ def one_triangle(corners, attributes=((0,), (0,), (8,))):
 @pytest.mark.parametrize("corners", [(0, 1, 2), (2, 1, 0)])
 def test_weights_by_hand(corners):
     # pixel (1, 0): window (1.5, 0.5) divides the area 16 as 8 : 6 : 2, in units of step^2; over w = 1, 2, 4
-    weights = barycentric(one_triangle(corners), 0, 1, 0, VIEWPORT.step)
-    assert [float(w) for w in weights] == [(8, 3, 0.5)[corner] * 256.0**2 for corner in corners]
+    where = np.array([[0], [1], [0]])
+    for weights in (weights_arrays, weights_compiled):
+        found = weights(one_triangle(corners), *where, VIEWPORT.step)
+        assert found[:, 0].tolist() == [(8, 3, 0.5)[corner] * 256.0**2 for corner in corners]
 
 
 @pytest.mark.parametrize("corners", [(0, 1, 2), (2, 1, 0)])
@@ -46,4 +48,6 @@ def test_edge_functions_beyond_24_bits_are_rounded_once():
     (ax, ay), (bx, by) = primitives.snapped[1:].tolist()
     exact = (ax - 4000 * 256) * (by - 7000 * 256) - (bx - 4000 * 256) * (ay - 7000 * 256)
     assert exact > 2**40 and int(np.float32(exact)) != exact
-    assert barycentric(primitives, 0, 4000, 7000, viewport.step)[0] == np.float32(exact)
+    where = np.array([[0], [4000], [7000]])
+    assert weights_arrays(primitives, *where, viewport.step)[0] == np.float32(exact)
+    assert weights_compiled(primitives, *where, viewport.step)[0] == np.float32(exact)

@@ -4,11 +4,13 @@ import hashlib
 from collections import Counter
 
 import naive_raster
-import numba
 import numpy as np
 from soups import soup
 
-from sss_ref.raster.interpolate import barycentric, interpolate_arrays
+from sss_ref.interpret.kernel import fragment_rows
+from sss_ref.interpret.kernel.modules import address_of
+from sss_ref.interpret.kernel.program import COLUMN, INDEX, ROW, STRIP, Program, run
+from sss_ref.raster.interpolate import interpolate_arrays
 from sss_ref.raster.primitives import assemble
 from sss_ref.raster.rasterize import visibility
 from sss_ref.raster.viewport import Viewport
@@ -19,18 +21,41 @@ def assert_same_bits(actual, expected):
     assert np.ascontiguousarray(actual).tobytes() == np.ascontiguousarray(expected).tobytes()
 
 
-@numba.njit(error_model="numpy")
 def interpolate_compiled(primitives, piece, column, row, step):
-    """Rule R5 with the compiled weights, in the form in which the kernels of a pass contain it."""
-    values = np.empty((len(piece), primitives.attributes.shape[1]), np.float32)
-    for k in range(len(piece)):
-        wa, wb, wc = barycentric(primitives, piece[k], column[k], row[k], step)
-        a, b, c = primitives.corners[piece[k]]
-        varying = primitives.attributes
-        for attribute in range(values.shape[1]):
-            total = (varying[a, attribute] * wa + varying[b, attribute] * wb) + varying[c, attribute] * wc
-            values[k, attribute] = total / ((wa + wb) + wc)
-    return values
+    """Rule R5 as kernels have it, on N fragments anywhere: every attribute, float32 (N, A)."""
+    return by_rows(primitives, piece, column, row, step)[1]
+
+
+def weights_compiled(primitives, piece, column, row, step):
+    """The weights of N fragments as kernels have them, float32 (3, N)."""
+    return by_rows(primitives, piece, column, row, step)[0]
+
+
+def by_rows(primitives, piece, column, row, step):
+    """Weights and attributes of N fragments, strip after strip."""
+    channels, count = primitives.attributes.shape[1], len(piece)
+    weights, values = np.empty((3, count), np.float32), np.empty((count, channels), np.float32)
+    for first in range(0, count, STRIP):
+        strip = slice(first, first + STRIP)
+        program, rows = rows_of_a_strip(primitives, np.ascontiguousarray(piece[strip], np.int32), step)
+        scratch = np.zeros((program.used, STRIP), np.float32)
+        numbers, here = scratch.view(np.int32), len(piece[strip])
+        numbers[INDEX, :here], numbers[COLUMN, :here], numbers[ROW, :here] = np.arange(here), column[strip], row[strip]
+        run(program.calls, scratch.reshape(-1), here)
+        weights[:, strip], values[strip] = scratch[rows[3:6], :here], scratch[rows[7:], :here].T
+    return weights, values
+
+
+def rows_of_a_strip(primitives, piece, step):
+    """The program that fills the rows of `weights` and `varying`, and the numbers of these rows."""
+    program, channels = Program(), primitives.attributes.shape[1]
+    rows = program.rows(7 + channels)
+    arrays = (piece, primitives.corners, primitives.snapped, primitives.inverse_w)
+    tables = [*(program.address(array) for array in arrays), step]
+    program.add(address_of(fragment_rows.weights), [INDEX, COLUMN, ROW, *rows[:7]], tables=tables)
+    tables = [program.address(primitives.attributes), channels, 0, channels]
+    program.add(address_of(fragment_rows.varying), rows, tables=tables)
+    return program, rows
 
 
 def draw_naively(scene, viewport):

@@ -1,1 +1,1 @@
-"""Passes as compiled loops: from the stages to Python that numba compiles."""
+"""Stages as compiled loops over strips of fragments: from the stages to Python that numba compiles."""

@@ -1,120 +1,52 @@
-"""From a stage's typed tree to straight-line scalar Python, the form that numba compiles.
+"""From a stage's typed tree to lines of scalar Python, the form that numba compiles.
 
-Vectors become one variable per component and functions are written out where they are called. Whatever depends on
-uniforms alone is moved before the loop over pixels. Each operation stays one float32 operation in the order written,
-so the lines give the bits that array code gives.
+Vectors become one variable per component and functions are written out where they are called. Each operation stays
+one float32 operation in the order written, so the lines give the bits that array code gives. What depends on uniforms
+alone is marked, for it need not be computed anew for every fragment.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from typing import Any, get_args, get_origin
 
+from sss_ref.interpret.kernel.lines import Memory, Scalar, StageLines, Value
 from sss_ref.language import tree
-from sss_ref.language.types import Array, Texture, Vector, mat3, mat4
+from sss_ref.language.types import Array, Texture, Vector, ivec2, mat3, mat4
 
-INDENT = "    "
 TEMPLATES = {
     "sqrt": "np.sqrt({0})",
     "floor": "np.floor({0})",
-    "min": "min({0}, {1})",  # Python's own, compiled or not, is rule A1's y < x ? y : x
-    "max": "max({0}, {1})",
-    "pow": "pow_scalar({0}, {1})",
-    "exp": "exp_scalar({0})",
-    "exp2": "exp2_scalar({0})",
-    "log2": "log2_scalar({0})",
-    "select": "({1} if {0} else {2})",
+    "min": "chosen({1} < {0}, {1}, {0})",  # rule A1
+    "max": "chosen({0} < {1}, {1}, {0})",
+    "select": "chosen({0}, {1}, {2})",
     "float32": "np.float32({0})",
-    "int32": "np.int64({0})",
+    "int32": "np.int32({0})",
 }
-
-
-@dataclass(frozen=True)
-class Scalar:
-    """One component as an expression. uniform: the same for all fragments; atomic: a name or a literal."""
-
-    text: str
-    uniform: bool
-    atomic: bool
-
-
-@dataclass(frozen=True)
-class Memory:
-    """A texture or uniform array, by the name of its ndarray."""
-
-    name: str
-    kind: Any
-
-
-Value = list[Scalar] | Memory
-
-
-@dataclass
-class Lines:
-    """The program being written: `before` the loop over pixels, and `inside` it."""
-
-    before: list[str] = field(default_factory=list)
-    inside: list[str] = field(default_factory=list)
-    literals: dict[str, str] = field(default_factory=dict)
-    depth: int = 0
-    _taken: set[str] = field(default_factory=set)
-
-    def fresh(self, name: str) -> str:
-        """A variable name not used so far: the name itself if it is free."""
-        chosen, number = name, 2
-        while chosen in self._taken:
-            chosen, number = f"{name}_{number}", number + 1
-        self._taken.add(chosen)
-        return chosen
-
-    def add(self, line: str) -> None:
-        """Write a line inside the loop, at the present depth."""
-        self.inside.append(INDENT * self.depth + line)
-
-    def bind(self, name: str, value: Scalar) -> Scalar:
-        """Give an expression a name, before the loop if it is uniform."""
-        variable = self.fresh(name)
-        if value.uniform:
-            self.before.append(f"{variable} = {value.text}")
-        else:
-            self.add(f"{variable} = {value.text}")
-        return Scalar(variable, value.uniform, atomic=True)
-
-    def atom(self, name: str, value: Scalar) -> Scalar:
-        """The expression itself if it is a name or a literal, else a name for it."""
-        return value if value.atomic else self.bind(name, value)
-
-    def literal(self, value: float | int | bool) -> Scalar:
-        """A literal; floats become float32 constants of the module, since a bare one computes in float64."""
-        if not isinstance(value, float):
-            return Scalar(repr(value), True, True)
-        name = "F_" + repr(value).replace("-", "m").replace(".", "_").replace("+", "")
-        self.literals[name] = f"np.float32({value!r})"
-        return Scalar(name, True, True)
-
-    def join(self, template: str, *parts: Scalar) -> Scalar:
-        """An expression made of others; uniform parts of a varying whole are computed before the loop."""
-        uniform = all(part.uniform for part in parts)
-        if not uniform:
-            parts = tuple(self.atom("uniform", part) if part.uniform else part for part in parts)
-        return Scalar(template.format(*(part.text for part in parts)), uniform, False)
+USED_TWICE = ("min", "max")  # arguments of these stand twice in the template
+ELEMENTARY = ("pow", "exp", "exp2", "log2")  # each a function over a whole row
+FETCH = {float: "texel_float({0}, {1})", int: "texel_int({0}, {1})", bool: "(texel_byte({0}, {1}) != 0)"}
+COMPARISONS = ("<", "<=", ">", ">=", "==", "!=", "&", "|")
 
 
 def suffixes(kind: Any) -> list[str]:
-    """How the components of a type are named: _x, _y ..., or nothing for a scalar."""
+    """How the components of a type are named: _x, _y ..., _00, _01 ... of a matrix, or nothing for a scalar."""
+    if kind in (mat3, mat4):
+        size = range(3 if kind is mat3 else 4)
+        return [f"_{row}{column}" for row in size for column in size]
     vector = isinstance(kind, type) and issubclass(kind, Vector)
     return [f"_{letter}" for letter in "xyzw"[: kind.count]] if vector else [""]
 
 
-def channels(kind: Any) -> list[str]:
-    """What follows the index of a value in an ndarray, for each component; nothing for a scalar."""
-    count = len(suffixes(kind))
-    return [""] if count == 1 else [f", {channel}" for channel in range(count)]
+def scalar_kind(kind: Any) -> type:
+    """What a component of a type is: float, int or bool."""
+    if kind is bool:
+        return bool
+    return int if kind in (int, ivec2) else float
 
 
 class Lowering:
     """Lowers bodies into `lines`; a fresh one for each body, which sees its own names only."""
 
-    def __init__(self, lines: Lines, names: Mapping[str, Value], prefix: str = "") -> None:
+    def __init__(self, lines: StageLines, names: Mapping[str, Value], prefix: str = "") -> None:
         self.lines = lines
         self.names: dict[str, Value] = dict(names)
         self.prefix = prefix
@@ -134,27 +66,21 @@ class Lowering:
         return [self.lines.atom(self.prefix + name + suffix, value) for value, suffix in pairs]
 
     def loop(self, statement: tree.Loop) -> None:
-        """A loop: what it accumulates becomes variables that are assigned again."""
-        lines = self.lines
-        start, stop = self.scalar(statement.start), self.scalar(statement.stop)
+        """A loop, in the form that its surroundings give it: what it accumulates has new names afterwards."""
+        start, stop = (self.lines.atom("bound", self.scalar(end)) for end in (statement.start, statement.stop))
         sums = [assign.name for assign in statement.block if assign.name in self.names]
+        before = [value for name in sums for value in self.scalars_of(name)]
+        loop = self.lines.loop(self.prefix + statement.index, start, stop)
+        inner = Lowering(loop.lines, self.names, self.prefix)
+        inner.names[statement.index] = [loop.index]
+        inside = iter(loop.accumulators(before))
         for name in sums:
-            self.names[name] = [self.variable(name, value) for value in self.scalars_of(name)]
-        index = lines.fresh(statement.index)
-        lines.add(f"for {index} in range({start.text}, {stop.text}):")
-        lines.depth += 1
-        self.names[statement.index] = [Scalar(index, uniform=False, atomic=True)]
+            inner.names[name] = [next(inside) for _ in self.scalars_of(name)]
         for assign in statement.block:
-            if assign.name in sums:
-                targets = ", ".join(value.text for value in self.scalars_of(assign.name))
-                lines.add(f"{targets} = {', '.join(value.text for value in self.scalars(assign.value))}")
-            else:
-                self.names[assign.name] = self.named(assign.name, assign.value)
-        lines.depth -= 1
-
-    def variable(self, name: str, value: Scalar) -> Scalar:
-        """A variable inside the pixel loop that starts with this value."""
-        return self.lines.bind(f"{self.prefix}{name}", Scalar(value.text, uniform=False, atomic=False))
+            inner.names[assign.name] = inner.named(assign.name, assign.value)
+        after = iter(loop.close([value for name in sums for value in inner.scalars_of(name)]))
+        for name in sums:
+            self.names[name] = [next(after) for _ in self.scalars_of(name)]
 
     def scalars_of(self, name: str) -> list[Scalar]:
         """The components that a name stands for."""
@@ -163,7 +89,7 @@ class Lowering:
         return value
 
     def scalar(self, expression: tree.Expression) -> Scalar:
-        """The one component of a scalar expression."""
+        """The one component of an expression."""
         (value,) = self.scalars(expression)
         return value
 
@@ -176,9 +102,7 @@ class Lowering:
     def scalars(self, expression: tree.Expression) -> list[Scalar]:
         """The components of an expression."""
         match expression:
-            case tree.Literal(value=value):
-                return [self.lines.literal(value)]
-            case tree.Constant(value=value):
+            case tree.Literal(value=value) | tree.Constant(value=value):
                 return [self.lines.literal(value)]
             case tree.Variable(name=name):
                 return self.scalars_of(name)
@@ -195,20 +119,21 @@ class Lowering:
                 return self.call(expression)
 
     def operation(self, expression: tree.Operation) -> list[Scalar]:
-        """An operation, component by component."""
+        """An operation, component by component; on whole numbers it stays one of 32 bits."""
         first = expression.operands[0]
+        kind = bool if expression.operator in COMPARISONS else scalar_kind(expression.type)
         if expression.operator == "neg":
-            return [self.lines.join("(-{0})", value) for value in self.scalars(first)]
+            return [self.lines.join(wrapped("(-{0})", kind), kind, value) for value in self.scalars(first)]
         if first.type in (mat3, mat4):
             return self.product(expression)
-        template = f"({{0}} {expression.operator} {{1}})"
+        template = wrapped(f"({{0}} {expression.operator} {{1}})", kind)
         left, right = (self.scalars(operand) for operand in expression.operands)
         count = max(len(left), len(right))
         left, right = (side * count if len(side) == 1 else side for side in (left, right))
         # A scalar beside a vector is used once per component: name it.
         if count > 1:
             left, right = self.spread(left), self.spread(right)
-        return [self.lines.join(template, a, b) for a, b in zip(left, right, strict=True)]
+        return [self.lines.join(template, kind, a, b) for a, b in zip(left, right, strict=True)]
 
     def spread(self, values: list[Scalar]) -> list[Scalar]:
         """Name a scalar that stands for every component; leave a vector's components as they are."""
@@ -222,25 +147,30 @@ class Lowering:
         size = len(vector)
         sums = []
         for row in range(size):
-            terms = [self.lines.join("{0} * {1}", matrix[row * size + k], vector[k]) for k in range(size)]
+            terms = [self.lines.join("{0} * {1}", float, matrix[row * size + k], vector[k]) for k in range(size)]
             total = terms[0]
             for term in terms[1:]:
-                total = self.lines.join("({0} + {1})", total, term)
+                total = self.lines.join("({0} + {1})", float, total, term)
             sums.append(total)
         return sums
 
     def element(self, expression: tree.Element) -> list[Scalar]:
         """One element of a uniform array."""
-        memory, index = self.names[expression.array.name], self.scalar(expression.index)
+        memory = self.names[expression.array.name]
         assert isinstance(memory, Memory)
-        return self.load(memory, "{0}", index)
+        return self.load(memory, self.lines.atom(self.prefix + "element", self.scalar(expression.index)))
 
-    def load(self, memory: Memory, index: str, *parts: Scalar) -> list[Scalar]:
-        """The components stored at an index of an ndarray."""
+    def load(self, memory: Memory, index: Scalar) -> list[Scalar]:
+        """The components of the value with this number in a texture or array."""
         (kind,) = get_args(memory.kind)
-        if kind is bool:
-            return [self.lines.join(f"({memory.name}[{index}] != 0)", *parts)]
-        return [self.lines.join(f"{memory.name}[{index}{channel}]", *parts) for channel in channels(kind)]
+        count = len(suffixes(kind))
+        fetch = FETCH[scalar_kind(kind)]
+        if count == 1:
+            return [self.lines.join(fetch, scalar_kind(kind), memory.address, index)]
+        width, steps = self.lines.literal(count), [self.lines.literal(k) for k in range(count)]
+        first = self.lines.atom(self.prefix + "place", self.lines.join("np.int32({0} * {1})", int, index, width))
+        places = [self.lines.join("np.int32({0} + {1})", int, first, step) for step in steps]
+        return [self.lines.join(fetch, scalar_kind(kind), memory.address, place) for place in places]
 
     def call(self, expression: tree.Call) -> list[Scalar]:
         """A primitive by its template; a function of the language written out in place."""
@@ -249,8 +179,9 @@ class Lowering:
         if name in ("texel", "size"):
             return self.texture(name, values)
         if expression.body is None:
-            return self.primitive(name, [value for value in values if isinstance(value, list)])
-        prefix = self.lines.fresh(name) + "_"
+            columns = [value for value in values if isinstance(value, list)]
+            return self.primitive(name, columns, scalar_kind(expression.type))
+        prefix = self.lines.shared.fresh(name) + "_"
         inner = {
             parameter: value if isinstance(value, Memory) else self.arguments(prefix + parameter, value, kind)
             for (parameter, kind), value in zip(expression.body.parameters.items(), values, strict=True)
@@ -262,19 +193,30 @@ class Lowering:
         pairs = zip(values, suffixes(kind), strict=True)
         return [self.lines.atom(name + suffix, value) for value, suffix in pairs]
 
-    def primitive(self, name: str, arguments: list[list[Scalar]]) -> list[Scalar]:
+    def primitive(self, name: str, arguments: list[list[Scalar]], kind: type) -> list[Scalar]:
         """A primitive, component by component; a scalar beside a vector serves every component."""
         count = max(len(argument) for argument in arguments)
         columns = [self.spread(argument * count) if len(argument) < count else argument for argument in arguments]
-        return [self.lines.join(TEMPLATES[name], *row) for row in zip(*columns, strict=True)]
+        rows = list(zip(*columns, strict=True))
+        if name in ELEMENTARY:
+            return [self.lines.elementary(name, row) for row in rows]
+        if name in USED_TWICE:
+            rows = [tuple(self.lines.atom(self.prefix + name, value) for value in row) for row in rows]
+        return [self.lines.join(TEMPLATES[name], kind, *row) for row in rows]
 
     def texture(self, name: str, values: list[Value]) -> list[Scalar]:
         """The size of a texture, or one of its texels."""
         memory = values[0]
         assert isinstance(memory, Memory) and get_origin(memory.kind) in (Texture, Array)
         if name == "size":
-            return [Scalar(f"{memory.name}.shape[{axis}]", True, True) for axis in (1, 0)]
+            return list(memory.size)
         at = values[1]
         assert isinstance(at, list)
-        column, row = self.lines.atom(self.prefix + "column", at[0]), self.lines.atom(self.prefix + "row", at[1])
-        return self.load(memory, "{0}, {1}", row, column)
+        column, row = at
+        index = self.lines.join("np.int32(np.int32({0} * {1}) + {2})", int, row, memory.size[0], column)
+        return self.load(memory, self.lines.atom(self.prefix + "texel", index))
+
+
+def wrapped(template: str, kind: type) -> str:
+    """The template of an operation, brought back to 32 bits where it is one of whole numbers."""
+    return f"np.int32({template})" if kind is int else template

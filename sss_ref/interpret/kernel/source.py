@@ -1,187 +1,189 @@
-"""Writes the module of a pass: its stages, fused, as compiled loops over vertices and over the pixels of some rows."""
+"""Writes the module of a stage: its parts and its loops, each a function of the rows of a strip."""
 
-from collections.abc import Collection, Iterable, Mapping
-from typing import Any, get_origin
+from collections.abc import Collection, Iterable
 
-from sss_ref.interpret.kernel.arguments import OUT, Arguments
-from sss_ref.interpret.kernel.lower import INDENT, Lines, Lowering, Memory, Scalar, Value, channels, suffixes
-from sss_ref.language.pipeline import CLIP_POSITION, PIXEL, Draw, Pass
+from sss_ref.interpret.kernel.lines import INDENT, Accumulator, Line, RowCall, RowLoop
+from sss_ref.interpret.kernel.stage_rows import READ, StageCall, StageRows
 from sss_ref.language.stage import Stage
-from sss_ref.language.types import Texture
 
-HEADER = '''"""Pass {name}: {stages}. Written by sss_ref from the stages; do not edit."""
+HEADER = '''"""Stage {name}: {source}. Written by sss_ref from the stage; do not edit."""
 
 import numpy as np
 
-from sss_ref.cache.compiled import compiled
-from sss_ref.numerics.scalar import exp2_scalar, exp_scalar, log2_scalar, pow_scalar
-from sss_ref.raster.interpolate import barycentric
-
-'''
-
-RESERVED = ("row", "column", "width", "step", "piece", "primitives", "here")
-CORNER_NAMES = ("a", "b", "c", "wa", "wb", "wc", "weight", "varying")
-CORNERS = (
-    "a, b, c = primitives.corners[here, 0], primitives.corners[here, 1], primitives.corners[here, 2]",
-    "wa, wb, wc = barycentric(primitives, here, column, row, step)",
-    "weight = (wa + wb) + wc",
-    "varying = primitives.attributes",
+from sss_ref.interpret.kernel.row_memory import (
+    chosen,
+    read_float,
+    read_int,
+    reread_float,
+    reread_int,
+    texel_byte,
+    texel_float,
+    texel_int,
+    write_float,
+    write_int,
 )
-INTERPOLATED = "((varying[a, {k}] * wa + varying[b, {k}] * wb) + varying[c, {k}] * wc) / weight"  # rule R5
+from sss_ref.interpret.kernel.row_function import row_function
+'''
+SCALARS = "from sss_ref.numerics.scalar import exp2_scalar, exp_scalar, log2_scalar, pow_scalar\n"
+REREAD = {
+    float: "reread_float({2}, {0}, {1})",
+    int: "reread_int({2}, {0}, {1})",
+    bool: "(reread_int({2}, {0}, {1}) != 0)",
+}
+WRITE = {
+    float: "write_float({2}, {0}, {1}, {3})",
+    int: "write_int({2}, {0}, {1}, {3})",
+    bool: "write_int({2}, {0}, {1}, np.int32({3}))",
+}
 
 
-def vertex_source(this_pass: Pass, varyings: Mapping[str, int]) -> str:
-    """The source of the module with `vertices`; varyings: the wanted ones -> their first attribute column."""
-    (stage,), lines = this_pass.draw.vertex_stages, Lines(depth=2)
-    return _module(this_pass, (stage,), vertex_function(stage, varyings, lines), lines)
+class StageSource:
+    """The source of a stage's module, `text`, and the `calls` of its functions in order; uniform: as in StageRows."""
+
+    def __init__(self, stage: Stage, uniform: Collection[str]) -> None:
+        self.stage, self.rows = stage, StageRows(stage, uniform)
+        self.functions: list[str] = []
+        self.calls: list[StageCall] = []
+        for part in self.rows.parts:
+            self.part(part)
+            for item in self.rows.calls_after(part):
+                self.row_loop(item) if isinstance(item, RowLoop) else self.row_call(item)
+
+    @property
+    def text(self) -> str:
+        """The whole module."""
+        header = HEADER.format(name=self.stage.name, source=self.stage.source)
+        functions = "\n\n".join(self.functions)
+        literals = sorted(self.rows.lines.shared.literals.items())
+        constants = "".join(f"{name} = {value}\n" for name, value in literals)
+        return f"{header}{SCALARS if '_scalar(' in functions else ''}\n{constants}\n\n{functions}"
+
+    def add(self, function: "RowFunction") -> None:
+        """A function of the module, and its call."""
+        name = f"{self.stage.name}_{len(self.functions)}"
+        self.functions.append(function.text(name))
+        self.calls.append(StageCall(name))
+
+    def part(self, part: int) -> None:
+        """One loop over the fragments."""
+        lines = self.rows.lines_of(part)
+        singles = [name for call in self.rows.calls_after(part) if is_single(call) for name in call.uses]
+        written = self.rows.handed_on(part)
+        if lines or singles:
+            function = RowFunction(self.rows)
+            function.uniform({*uses(lines), *singles})
+            for name in singles:
+                function.body.append(function.written(name, name, "0"))
+            function.over_fragments(lines, written)
+            self.add(function)
+
+    def row_call(self, call: RowCall) -> None:
+        """One of the elementary functions."""
+        rows = tuple(self.rows.row(name) for name in (*call.arguments, call.result))
+        self.calls.append(StageCall(call.function, rows, elementary=True, single=call.uniform))
+
+    def row_loop(self, loop: RowLoop) -> None:
+        """A loop of the language."""
+        function = RowFunction(self.rows)
+        function.uniform(set(loop.uses))
+        function.starts(loop.sums)
+        function.body.append(loop.header)
+        function.depth += 1
+        function.body += [INDENT + text for line in loop.lines if line.uniform for text in line.text]
+        function.turn([line for line in loop.lines if not line.uniform], loop.sums)
+        self.add(function)
 
 
-def fragment_source(
-    this_pass: Pass, buffers: Collection[str], outputs: Collection[str], varyings: Mapping[str, int]
-) -> str:
-    """The source of the module with `fragments`.
+class RowFunction:
+    """A function of rows being written."""
 
-    buffers: the names it reads from earlier passes; outputs: those it is to fill; varyings: first attribute column.
-    """
-    arguments = Arguments.of_fragments(this_pass, buffers, outputs)
-    writer = _FragmentLoop(this_pass, arguments, list(outputs), varyings)
-    return _module(this_pass, this_pass.stages, writer.function(), writer.lines)
+    def __init__(self, rows: StageRows) -> None:
+        self.rows, self.depth = rows, 0
+        self.places: dict[int, str] = {}  # number of a row -> the variable that holds its place in the scratch
+        self.owned: dict[int, int] = {}  # number of a row that is written -> its number among these
+        self.before: list[str] = []
+        self.body: list[str] = []
 
-
-def _module(this_pass: Pass, stages: Iterable[Stage], function: str, lines: Lines) -> str:
-    constants = "".join(f"{name} = {value}\n" for name, value in sorted(lines.literals.items()))
-    header = HEADER.format(name=this_pass.name, stages=", ".join(stage.name for stage in stages))
-    return header + constants + "\n\n" + function
-
-
-def unpacked(arguments: Arguments, lines: Lines) -> dict[str, Value]:
-    """The uniforms as values: the packed ones taken out of their array before the loop."""
-    values: dict[str, Value] = {
-        name: [lines.bind(name + end, Scalar(element, True, False)) for end, element in slots]
-        for name, slots in arguments.slots.items()
-    }
-    for name in arguments.loose:
-        kind = arguments.reads[name]
-        if name not in arguments.arrays:
-            values[name] = [Scalar(name, True, True)] if kind is int else Memory(name, kind)
-    return values
-
-
-def vertex_function(stage: Stage, varyings: Mapping[str, int], lines: Lines) -> str:
-    """`vertices`, which fills `clip_position` and `attributes`."""
-    arguments = Arguments.of_vertices(stage)
-    for name in arguments.loose:
-        lines.fresh(name)
-    values = unpacked(arguments, lines)
-    for name in (name for name in arguments.loose if name in arguments.arrays):
-        ends = enumerate(suffixes(arguments.reads[name]))
-        values[name] = [lines.bind(name + end, Scalar(f"{name}[vertex, {k}]", False, False)) for k, end in ends]
-    names = {own: values[name] for own, name in stage.reads.items()}
-    results = Lowering(lines, names).run(stage.body)
-    for k, value in enumerate(results[CLIP_POSITION]):
-        lines.add(f"clip_position[vertex, {k}] = {value.text}")
-    for own, scalars in results.items():
-        for k, value in enumerate(scalars if stage.writes[own] in varyings else []):
-            lines.add(f"attributes[vertex, {varyings[stage.writes[own]] + k}] = {value.text}")
-    loop = f"{INDENT}for vertex in range(len(clip_position)):"
-    return _function("vertices", arguments, [*(INDENT + line for line in lines.before), loop, *lines.inside])
-
-
-def _function(name: str, arguments: Arguments, body: list[str]) -> str:
-    return f"@compiled\ndef {name}({arguments.signature}):\n" + "\n".join(body) + "\n"
-
-
-class _FragmentLoop:
-    """Writes `fragments`, which fills the outputs on some rows."""
-
-    def __init__(self, this_pass: Pass, arguments: Arguments, outputs: list[str], varyings: Mapping[str, int]) -> None:
-        self.this_pass, self.arguments, self.outputs, self.varyings = this_pass, arguments, outputs, varyings
-        self.lines = Lines(depth=3)
-        self.values: dict[str, Value] = {}
-        for taken in (*RESERVED, *CORNER_NAMES, *this_pass.reads):
-            self.lines.fresh(taken)
-
-    def function(self) -> str:
+    def text(self, name: str) -> str:
         """The whole function."""
-        self.values |= unpacked(self.arguments, self.lines)
-        self.values[PIXEL] = [Scalar("column", False, True), Scalar("row", False, True)]
-        draw = self.this_pass.draw
-        if draw.vertex_stages:
-            self.interpolation(draw)
-        for stage in self.this_pass.stages:
-            self.stage(stage)
-        self.stores()
-        loop = [
-            *(INDENT + line for line in self.lines.before),
-            f"{INDENT}for row in range(row0, row1):",
-            f"{INDENT * 2}for column in range(width):",
-            *self.skip(),
-            *self.lines.inside,
-        ]
-        return _function("fragments", self.arguments, loop)
+        places = [f"{variable} = rows[{number}]" for number, variable in self.places.items()]
+        lines = [*places, *self.before, *self.body]
+        head = f"@row_function\ndef {name}(scratch, count, rows, uniforms, tables):\n"
+        return head + "".join(f"{INDENT}{line}\n" for line in lines)
 
-    def skip(self) -> list[str]:
-        """Leave a pixel without fragment to the background."""
-        if self.this_pass.draw.vertex_stages:
-            test = [INDENT * 3 + "here = piece[row, column]", INDENT * 3 + "if here < 0:"]
-        elif self.this_pass.draw.stencil:
-            test = [INDENT * 3 + "if stencil[row, column] == 0:"]
-        else:
-            return []
-        pairs = [(name, channel) for name in self.outputs for channel in channels(self.this_pass.values[name])]
-        clear = [
-            f"{INDENT * 4}{OUT}{name}[row, column{channel}] = background[{k}]"
-            for k, (name, channel) in enumerate(pairs)
-        ]
-        return [*test, *clear, INDENT * 4 + "continue"]
+    def uniform(self, names: set[str]) -> None:
+        """Compute what is the same for all fragments, and everything it comes from."""
+        items, wanted, todo = self.rows.uniform_items, set(), list(names)
+        while todo:
+            name = todo.pop()
+            if name in items and name not in wanted:
+                wanted.add(name)
+                todo += items[name].uses if isinstance(items[name], Line) else ()
+        for name, item in items.items():
+            if name in wanted:
+                self.before += item.text if isinstance(item, Line) else [f"{name} = {self.single(name)}"]
 
-    def interpolation(self, draw: Draw) -> None:
-        """The varyings of this fragment."""
-        for line in CORNERS:
-            self.lines.add(line)
-        for name, first in self.varyings.items():
-            ends = enumerate(suffixes(draw.varyings[name]))
-            texts = [(end, INTERPOLATED.format(k=first + k)) for k, end in ends]
-            self.values[name] = [self.lines.bind(name + end, Scalar(text, False, False)) for end, text in texts]
-        self.values[draw.triangle] = [Scalar("primitives.triangle[here]", False, False)]
-        self.values[draw.coverage] = [Scalar("1", False, True)]
+    def single(self, name: str) -> str:
+        """The one element of a row."""
+        return READ[float].format("scratch", f"rows[{self.rows.row(name)}]")
 
-    def stage(self, stage: Stage) -> None:
-        """One stage, in its own scope; its outputs are there for the stages after it."""
-        self.lines.add(f"# {stage.name}")
-        names = {own: self.read(stage.reads[own], kind) for own, kind in stage.parameters.items()}
-        results = Lowering(self.lines, names, prefix=f"{stage.name}_").run(stage.body)
-        for own, scalars in results.items():
-            ends = suffixes(stage.outputs[own])
-            name = stage.writes[own]
-            pairs = zip(scalars, ends, strict=True)
-            self.values[name] = [self.lines.bind(f"{name}{end}", per_fragment(value)) for value, end in pairs]
+    def place(self, name: str) -> str:
+        """The variable with the place of a value's row."""
+        number = self.rows.row(name)
+        return self.places.setdefault(number, f"row_{number}")
 
-    def read(self, name: str, kind: Any) -> Value:
-        """What a stage reads under a name, as in the array interpreter."""
-        if get_origin(kind) is Texture:
-            return Memory(name, kind)
-        if name not in self.values:
-            self.values[name] = self.own_pixel(name, kind)
-        return self.values[name]
+    def read(self, name: str) -> str:
+        """Take a value out of its row."""
+        return f"{name} = " + READ[self.rows.kinds[name]].format("scratch", f"{self.place(name)} + k")
 
-    def own_pixel(self, name: str, kind: Any) -> list[Scalar]:
-        """A buffer's value at this very pixel."""
-        test = " != 0" if kind is bool else ""
+    def written(self, name: str, value: str, index: str = "k") -> str:
+        """Put a value into the row of a name."""
+        owned = self.owned.setdefault(self.rows.row(name), len(self.owned))
+        return WRITE[self.rows.kinds[name]].format("scratch", f"{self.place(name)} + {index}", owned, value)
+
+    def loop(self, lines: Iterable[str]) -> None:
+        """Add a loop over the fragments."""
+        self.body.append(f"{INDENT * self.depth}for k in range(count):")
+        self.body += [INDENT * (self.depth + 1) + line for line in lines]
+
+    def reads(self, names: Iterable[str]) -> list[str]:
+        """Take those of some names that differ between fragments out of their rows."""
         return [
-            self.lines.bind(f"{name}_here{end}", Scalar(f"{name}[row, column{channel}]{test}", False, False))
-            for channel, end in zip(channels(kind), suffixes(kind), strict=True)
+            self.read(name) for name in sorted(names) if name in self.rows.kinds and name not in self.rows.uniform_items
         ]
 
-    def stores(self) -> None:
-        """Write the outputs that are wanted."""
-        for name in self.outputs:
-            value = self.values[name]
-            assert isinstance(value, list)
-            for channel, scalar in zip(channels(self.this_pass.values[name]), value, strict=True):
-                self.lines.add(f"{OUT}{name}[row, column{channel}] = {scalar.text}")
+    def over_fragments(self, lines: list[Line], written: list[str]) -> None:
+        """The loop of a part."""
+        own = {name for line in lines for name in line.kinds}
+        body = [*self.reads(uses(lines) - own), *(text for line in lines for text in line.text)]
+        body += [self.written(name, name) for name in written]
+        if body:
+            self.loop(body)
+
+    def starts(self, sums: tuple[Accumulator, ...]) -> None:
+        """The loop that puts down what is accumulated before the first turn."""
+        needed = frozenset().union(*(each.before.uses for each in sums))
+        self.loop([*self.reads(needed), *(self.written(each.row, each.before.text) for each in sums)])
+
+    def turn(self, lines: list[Line], sums: tuple[Accumulator, ...]) -> None:
+        """The loop over the fragments in one turn."""
+        own = {name for line in lines for name in line.kinds} | {each.inside for each in sums}
+        needed = uses(lines).union(*(each.after.uses for each in sums)) - own
+        taken = [f"{each.inside} = {self.reread(each.row)}" for each in sums]
+        stored = [self.written(each.row, each.after.text) for each in sums]
+        self.loop([*self.reads(needed), *taken, *(text for line in lines for text in line.text), *stored])
+
+    def reread(self, name: str) -> str:
+        """What a row that this function writes holds by now."""
+        owned = self.owned[self.rows.row(name)]
+        return REREAD[self.rows.kinds[name]].format("scratch", f"{self.place(name)} + k", owned)
 
 
-def per_fragment(value: Scalar) -> Scalar:
-    """An output is a value of the fragment even where it depends on uniforms alone."""
-    return Scalar(value.text, False, value.atomic)
+def uses(lines: Iterable[Line]) -> frozenset[str]:
+    """The names that some lines mention."""
+    return frozenset().union(*(line.uses for line in lines))
+
+
+def is_single(call: RowCall | RowLoop) -> bool:
+    """Whether a function of rows computes one element for all fragments."""
+    return isinstance(call, RowCall) and call.uniform

@@ -1,33 +1,33 @@
+"""The modules that are written for stages: the same in every process, one for all lights, nothing fused."""
+
 import os
 import subprocess
 import sys
 
 import pytest
-from kernel_sources import passes, sources
 
-from sss_ref.interpret.kernel.source import fragment_source
+from sss_ref.interpret.kernel.source import StageSource
+from sss_ref.interpret.kernel.stage_rows import StageCall
+from sss_ref.methods.stages import all_stages
+from sss_ref.passes import blur, phong, shadow_map, translucency
 
+STAGES = all_stages()
 PRINT_SOURCES = """
 import hashlib
-from kernel_sources import sources
-print(hashlib.sha256("".join(sources("robust")).encode()).hexdigest())
+from sss_ref.interpret.kernel.source import StageSource
+from sss_ref.methods.stages import all_stages
+texts = [StageSource(stage, set()).text for stage in all_stages().values()]
+print(hashlib.sha256("".join(texts).encode()).hexdigest())
 """
-
-
-def camera_source(*wanted):
-    """The module of the camera pass with only some of its buffers kept."""
-    one = passes()["camera"].only(set(wanted))
-    varyings = {"fragment_position": 0, "fragment_normal": 3, "fragment_uv": 6}
-    return fragment_source(one, {"light_distance", "light_triangle"}, wanted, varyings)
+OF_THE_MATERIAL = {"x", "y", "exponent", "d_min", "translucency_neutral"}
 
 
 def test_the_source_does_not_depend_on_the_order_of_sets():
     """A source that changed between processes would be compiled again in each of them."""
-    paths = os.pathsep.join(sys.path)
     printed = [
         subprocess.run(
             [sys.executable, "-c", PRINT_SOURCES],
-            env=os.environ | {"PYTHONHASHSEED": seed, "PYTHONPATH": paths},
+            env=os.environ | {"PYTHONHASHSEED": seed, "PYTHONPATH": os.pathsep.join(sys.path)},
             capture_output=True,
             text=True,
             check=True,
@@ -37,54 +37,55 @@ def test_the_source_does_not_depend_on_the_order_of_sets():
     assert len(printed[0]) == 65 and len(set(printed)) == 1
 
 
-@pytest.mark.parametrize("preset", ["paper", "robust"])
-def test_every_source_is_python(preset):
-    assert len(sources(preset)) == len(passes(preset)) + 2  # two draws of the mesh
-    for source in sources(preset):
-        compile(source, "<source>", "exec")
+@pytest.mark.parametrize("name", STAGES)
+def test_every_source_is_python(name):
+    compile(StageSource(STAGES[name], set()).text, "<source>", "exec")
 
 
-def test_a_buffer_that_is_not_kept_is_not_written():
-    assert "out_thickness[row, column] = " in camera_source("thickness")
-    assert "out_entry_point" not in camera_source("thickness")
-    assert "out_entry_point[row, column, 2] = " in camera_source("entry_point", "thickness")
+def test_a_stage_without_elementary_functions_is_one_loop():
+    source = StageSource(shadow_map.back_point, {"light_position"})
+    assert source.calls == [StageCall("back_point_0")]
+    assert source.text.count("for k in range(count):") == 1
 
 
-def test_a_stage_that_nothing_kept_depends_on_is_not_computed():
-    thickness = camera_source("thickness")
-    assert "# back_point" in thickness and "# surface" in thickness
-    assert "phong" not in thickness and "pow_scalar(" not in thickness
-    assert "# phong_shading" in camera_source("lit") and "pow_scalar(" in camera_source("lit")
+def test_names_that_a_pass_gives_are_not_in_the_source():
+    """So that one module serves all lights."""
+    first, second = (
+        shadow_map.back_point.renamed(lambda name, number=number: f"{name}_{number}") for number in ("1", "2")
+    )
+    assert StageSource(first, {"light_position"}).text == StageSource(second, {"light_position"}).text
+
+
+def test_an_elementary_function_is_called_between_two_loops():
+    source = StageSource(phong.phong_shading, {"shininess"})
+    assert [(call.function, call.elementary, call.single) for call in source.calls] == [
+        ("phong_shading_0", False, False),
+        ("pow", True, False),
+        ("phong_shading_1", False, False),
+    ]
+    assert "_scalar" not in source.text
+
+
+def test_an_elementary_function_of_uniforms_alone_is_computed_once_a_strip():
+    source = StageSource(translucency.translucency_ratio, OF_THE_MATERIAL)
+    assert [call.single for call in source.calls if call.elementary] == [True, False]
+
+
+def test_a_loop_of_the_language_stands_around_the_loop_over_fragments():
+    source = StageSource(blur.scatter, {"tap_count", "pixel_scale"})
+    first, turns, second = (line for line in source.text.splitlines() if line.lstrip().startswith("for "))
+    assert first == "    for k in range(count):" and second == "        for k in range(count):"
+    assert turns.startswith("    for tap_wide in range(")
+
+
+def test_a_loop_whose_turns_differ_between_fragments_stands_inside():
+    source = StageSource(blur.scatter, {"pixel_scale"})
+    assert "        for tap_wide in range(" in source.text and source.text.count("for k in range(count):") == 1
 
 
 def test_float_literals_are_float32_constants():
     """A bare literal would make numba compute in float64."""
-    source = camera_source("shadow_uv")
-    assert "F_0_5 = np.float32(0.5)" in source
-    assert "F_0_5" in source.split("def fragments")[1] and " 0.5" not in source.split("def fragments")[1]
-
-
-@pytest.mark.parametrize(
-    ("wanted", "stages"),
-    [
-        (set(), []),
-        ({"coverage", "depth"}, []),
-        ({"uv"}, ["surface"]),
-        ({"stored_distance"}, ["surface", "shadow_lookup_nearest"]),
-        ({"thickness", "uv"}, ["surface", "shadow_lookup_nearest", "back_point"]),
-        ({"phong"}, ["surface", "albedo_constant", "light_constant", "phong_shading"]),
-        (
-            {"translucency"},
-            ["surface", "shadow_lookup_nearest", "back_point", "directly_lit_slope", "translucency_ratio"],
-        ),
-    ],
-)
-def test_only_what_the_wanted_buffers_depend_on_is_left(wanted, stages):
-    one = passes()["camera"].only(wanted)
-    assert [stage.name for stage in one.stages] == stages
-    assert one.draw is passes()["camera"].draw
-
-
-def test_all_stages_are_left_for_the_last_buffer():
-    one = passes()["camera"]
-    assert one.only({"lit"}).stages == one.stages
+    text = StageSource(shadow_map.shadow_lookup_nearest, set()).text
+    assert "F_0_5 = np.float32(0.5)" in text
+    body = text.split("\ndef ")[1]
+    assert "F_0_5" in body and " 0.5" not in body

@@ -1,0 +1,159 @@
+"""Rows that a draw fills, and rows that go into buffers: functions of rows that no stage is behind."""
+
+import numpy as np
+
+from sss_ref.interpret.kernel.row_memory import (
+    put_byte,
+    put_float,
+    put_word,
+    read_float,
+    read_int,
+    texel_byte,
+    texel_float,
+    texel_int,
+    write_float,
+    write_int,
+)
+from sss_ref.language.types import ivec2
+
+
+def take_words(scratch, count, rows, uniforms, tables):
+    """Values of 32 bits out of an array: rows index, values; tables: address, columns, first column, values each."""
+    address, columns, first, channels = tables[0], tables[1], tables[2], tables[3]
+    index = rows[0]
+    for channel in range(channels):
+        values, column = rows[1 + channel], first + channel
+        for k in range(count):
+            place = np.int64(read_int(scratch, index + k)) * columns + column
+            write_int(0, scratch, values + k, texel_int(address, place))
+
+
+def take_bytes(scratch, count, rows, uniforms, tables):
+    """Truth values out of an array of bytes: rows index, value; tables: address."""
+    address, index, value = tables[0], rows[0], rows[1]
+    for k in range(count):
+        place = read_int(scratch, index + k)
+        write_int(0, scratch, value + k, np.int32(texel_byte(address, place)))
+
+
+def put_words(scratch, count, rows, uniforms, tables):
+    """Values of 32 bits into an array: rows index, values; tables as in `take_words`."""
+    address, columns, first, channels = tables[0], tables[1], tables[2], tables[3]
+    index = rows[0]
+    for channel in range(channels):
+        values, column = rows[1 + channel], first + channel
+        for k in range(count):
+            place = np.int64(read_int(scratch, index + k)) * columns + column
+            put_word(address, place, read_int(scratch, values + k))
+
+
+def take_whole(scratch, count, rows, uniforms, tables):
+    """Whole numbers out of an array of float32, as ivec2 has it; rows and tables as in `take_words`."""
+    address, columns, first, channels = tables[0], tables[1], tables[2], tables[3]
+    index = rows[0]
+    for channel in range(channels):
+        values, column = rows[1 + channel], first + channel
+        for k in range(count):
+            place = np.int64(read_int(scratch, index + k)) * columns + column
+            write_int(0, scratch, values + k, np.int32(texel_float(address, place)))
+
+
+def put_whole(scratch, count, rows, uniforms, tables):
+    """Whole numbers into an array of float32, as ivec2 has it; rows and tables as in `take_words`."""
+    address, columns, first, channels = tables[0], tables[1], tables[2], tables[3]
+    index = rows[0]
+    for channel in range(channels):
+        values, column = rows[1 + channel], first + channel
+        for k in range(count):
+            place = np.int64(read_int(scratch, index + k)) * columns + column
+            put_float(address, place, np.float32(read_int(scratch, values + k)))
+
+
+def put_bytes(scratch, count, rows, uniforms, tables):
+    """Truth values into an array of bytes: rows index, value; tables: address."""
+    address, index, value = tables[0], rows[0], rows[1]
+    for k in range(count):
+        place = np.int64(read_int(scratch, index + k))
+        put_byte(address, place, np.uint8(read_int(scratch, value + k) != 0))
+
+
+def clear_words(scratch, count, rows, uniforms, tables):
+    """One value of 32 bits a channel into an array: rows index; uniforms: the values; tables as in `take_words`."""
+    address, columns, first, channels = tables[0], tables[1], tables[2], tables[3]
+    index = rows[0]
+    for channel in range(channels):
+        value, column = read_int(uniforms, channel), first + channel
+        for k in range(count):
+            put_word(address, np.int64(read_int(scratch, index + k)) * columns + column, value)
+
+
+def clear_bytes(scratch, count, rows, uniforms, tables):
+    """One truth value into an array of bytes: rows index; uniforms: the value; tables: address."""
+    address, index, value = tables[0], rows[0], np.uint8(read_int(uniforms, 0) != 0)
+    for k in range(count):
+        put_byte(address, np.int64(read_int(scratch, index + k)), value)
+
+
+def same(scratch, count, rows, uniforms, tables):
+    """One value for all fragments: rows value; uniforms: the value."""
+    row, value = rows[0], read_int(uniforms, 0)
+    for k in range(count):
+        write_int(0, scratch, row + k, value)
+
+
+def triangle(scratch, count, rows, uniforms, tables):
+    """The scene triangle of each fragment: rows index, triangle; tables: address of the pieces, and of theirs."""
+    piece, triangles, index, value = tables[0], tables[1], rows[0], rows[1]
+    for k in range(count):
+        here = texel_int(piece, read_int(scratch, index + k))
+        write_int(0, scratch, value + k, texel_int(triangles, here))
+
+
+def weights(scratch, count, rows, uniforms, tables):
+    """The corners of each fragment's piece, their weights and the sum of these (rule R5).
+
+    rows: index, column, row, three corners, three weights, sum. tables: the addresses of pieces, corners, snapped
+    positions and inverse w, then the step. The edge functions are those of raster.coverage, seen from the sample: whole
+    numbers below 2^53, exact in float64 too, which processors have side by side. No zero of them is negative.
+    """
+    piece, corners, snapped, inverse_w, step = tables[0], tables[1], tables[2], tables[3], np.float64(tables[4])
+    index, column, row = rows[0], rows[1], rows[2]
+    corner_a, corner_b, corner_c = rows[3], rows[4], rows[5]
+    weight_a, weight_b, weight_c, total = rows[6], rows[7], rows[8], rows[9]
+    for k in range(count):
+        here = texel_int(piece, read_int(scratch, index + k)) * np.int64(3)
+        a, b, c = texel_int(corners, here), texel_int(corners, here + 1), texel_int(corners, here + 2)
+        x, y = read_int(scratch, column + k) * step, read_int(scratch, row + k) * step
+        ax, ay = texel_int(snapped, np.int64(a) * 2) - x, texel_int(snapped, np.int64(a) * 2 + 1) - y
+        bx, by = texel_int(snapped, np.int64(b) * 2) - x, texel_int(snapped, np.int64(b) * 2 + 1) - y
+        cx, cy = texel_int(snapped, np.int64(c) * 2) - x, texel_int(snapped, np.int64(c) * 2 + 1) - y
+        edge_a, edge_b, edge_c = bx * cy - cx * by, cx * ay - ax * cy, ax * by - bx * ay
+        turn = -1.0 if edge_a + edge_b + edge_c < 0.0 else 1.0
+        wa = np.float32(turn * edge_a + 0.0) * texel_float(inverse_w, a)
+        wb = np.float32(turn * edge_b + 0.0) * texel_float(inverse_w, b)
+        wc = np.float32(turn * edge_c + 0.0) * texel_float(inverse_w, c)
+        write_int(0, scratch, corner_a + k, a)
+        write_int(1, scratch, corner_b + k, b)
+        write_int(2, scratch, corner_c + k, c)
+        write_float(3, scratch, weight_a + k, wa)
+        write_float(4, scratch, weight_b + k, wb)
+        write_float(5, scratch, weight_c + k, wc)
+        write_float(6, scratch, total + k, (wa + wb) + wc)
+
+
+def varying(scratch, count, rows, uniforms, tables):
+    """What is interpolated (rule R5): rows the seven of `weights`, then the values; tables as in `take_words`."""
+    address, columns, first, channels = tables[0], tables[1], tables[2], tables[3]
+    a, b, c, wa, wb, wc, total = rows[0], rows[1], rows[2], rows[3], rows[4], rows[5], rows[6]
+    for channel in range(channels):
+        value, column = rows[7 + channel], first + channel
+        for k in range(count):
+            at_a = texel_float(address, np.int64(read_int(scratch, a + k)) * columns + column)
+            at_b = texel_float(address, np.int64(read_int(scratch, b + k)) * columns + column)
+            at_c = texel_float(address, np.int64(read_int(scratch, c + k)) * columns + column)
+            part_a, part_b = at_a * read_float(scratch, wa + k), at_b * read_float(scratch, wb + k)
+            mixed = (part_a + part_b) + at_c * read_float(scratch, wc + k)
+            write_float(0, scratch, value + k, mixed / read_float(scratch, total + k))
+
+
+TAKES, PUTS = {bool: take_bytes, ivec2: take_whole}, {bool: put_bytes, ivec2: put_whole}  # else: take_words, put_words

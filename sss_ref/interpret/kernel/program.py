@@ -1,0 +1,134 @@
+"""A program: the calls that a strip of fragments goes through, one after the other, and what each of them gets."""
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from sss_ref.cache.compiled import compiled
+from sss_ref.interpret.kernel.row_function import call
+from sss_ref.language.layout import FLOAT32
+
+STRIP = 512  # fragments at a time: the rows of a pass stay in the processor's second cache
+INDEX, COLUMN, ROW, EMPTY = range(4)  # rows that are filled before any call: of fragments, and of pixels without one
+
+
+class Calls(NamedTuple):
+    """The calls of a program: addresses int64 (C,), single bool (C,), and of each where its own numbers begin."""
+
+    address: np.ndarray
+    single: np.ndarray
+    row_at: np.ndarray
+    rows: np.ndarray
+    uniform_at: np.ndarray
+    uniforms: np.ndarray
+    table_at: np.ndarray
+    tables: np.ndarray
+
+
+class Program:
+    """Calls being listed, and rows that are taken and given back."""
+
+    def __init__(self) -> None:
+        self.used = 4
+        self.free: list[int] = []
+        self.arrays: list[np.ndarray] = []  # kept alive while their addresses are in use
+        self.listed: list[tuple[int, bool, list[int], list[np.ndarray], list[int]]] = []
+
+    def rows(self, count: int) -> list[int]:
+        """Rows that nothing else lies in."""
+        new = count - len(self.free)
+        if new > 0:
+            self.free += range(self.used, self.used + new)
+            self.used += new
+        taken, self.free = self.free[:count], self.free[count:]
+        return taken
+
+    def give_back(self, rows: Sequence[int]) -> None:
+        """Rows whose values are needed no more."""
+        self.free += rows
+
+    def address(self, array: np.ndarray) -> int:
+        """Where an array begins, which must be contiguous; it is kept as long as the program."""
+        assert array.flags.c_contiguous
+        self.arrays.append(array)
+        return array.ctypes.data
+
+    def add(
+        self,
+        address: int,
+        rows: Sequence[int],
+        uniforms: Sequence[np.ndarray] = (),
+        tables: Sequence[int] = (),
+        single: bool = False,
+    ) -> None:
+        """A call of the function of rows at an address; uniforms: float32 arrays, one after the other."""
+        self.listed.append((address, single, list(rows), list(uniforms), list(tables)))
+
+    @property
+    def calls(self) -> Calls:
+        """All of them, as the loop over strips takes them."""
+        addresses, singles, rows, uniforms, tables = zip(*self.listed, strict=True) if self.listed else [()] * 5
+        values = [np.concatenate([np.empty(0, FLOAT32), *each]) for each in uniforms]
+        return Calls(
+            np.array(addresses, np.int64),
+            np.array(singles, np.bool_),
+            *_joined(rows, np.int64, STRIP),
+            *_joined(values, FLOAT32),
+            *_joined(tables, np.int64),
+        )
+
+
+def _joined(parts: Sequence[Any], dtype: Any, factor: int = 1) -> tuple[np.ndarray, np.ndarray]:
+    """Where each part begins, int64 (C,), and all parts one after the other."""
+    lengths = np.array([len(part) for part in parts], np.int64)
+    whole = np.concatenate([np.empty(0, dtype), *(np.asarray(part, dtype) for part in parts)])
+    return np.cumsum(lengths) - lengths, (whole * factor if factor > 1 else whole).astype(dtype)
+
+
+@compiled
+def run_rows(where, first_row, filling, clearing, scratch):
+    """Run a program on the fragments of some rows of pixels, and another on the pixels without one.
+
+    where: bool (R, W), which pixels hold a fragment. filling, clearing: Calls. scratch: float32 (rows * STRIP,).
+    """
+    numbers, width = scratch.view(np.int32), where.shape[1]
+    count, empty = 0, 0
+    for row in range(len(where)):
+        for column in range(width):
+            index = np.int32((first_row + row) * width + column)
+            if where[row, column]:
+                numbers[INDEX * STRIP + count] = index
+                numbers[COLUMN * STRIP + count] = np.int32(column)
+                numbers[ROW * STRIP + count] = np.int32(first_row + row)
+                count += 1
+                if count == STRIP:
+                    run(filling, scratch, count)
+                    count = 0
+            else:
+                numbers[EMPTY * STRIP + empty] = index
+                empty += 1
+                if empty == STRIP:
+                    run(clearing, scratch, empty)
+                    empty = 0
+    run(filling, scratch, count)
+    run(clearing, scratch, empty)
+
+
+@compiled
+def run(calls, scratch, count):
+    """Run a program on a strip of `count` fragments."""
+    if count == 0:
+        return
+    for k in range(len(calls.address)):
+        call(
+            calls.address[k],
+            scratch,
+            1 if calls.single[k] else count,
+            calls.rows,
+            calls.row_at[k],
+            calls.uniforms,
+            calls.uniform_at[k],
+            calls.tables,
+            calls.table_at[k],
+        )

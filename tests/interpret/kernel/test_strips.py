@@ -1,0 +1,173 @@
+"""Everything that the language has, on strips: the bits of the array interpreter at any size, on any part of it."""
+
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from one_stage import Inputs, assert_same_bits, run
+
+from sss_ref.interpret import arrays
+from sss_ref.interpret.kernel import strips
+from sss_ref.interpret.kernel.program import STRIP
+from sss_ref.interpret.work import Fragments, Work
+from sss_ref.language import (
+    Array,
+    Texture,
+    clamp,
+    constant,
+    exp,
+    exp2,
+    float32,
+    floor,
+    function,
+    ivec2,
+    log2,
+    mat4,
+    max,
+    min,
+    pow,
+    select,
+    size,
+    stage,
+    texel,
+    texel_clamped,
+    vec2,
+    vec3,
+    vec4,
+)
+from sss_ref.language.layout import CHANNELS, dtype_of, shape_of
+from sss_ref.language.pipeline import Pass, ScreenDraw
+
+F = np.float32
+SIZES = [(1, 1), (1, 7), (7, 5), (STRIP, 1), (STRIP + 1, 2), (33, 31), (97, 61)]
+THIRD = constant(1 / 3)
+
+
+class Everything(NamedTuple):
+    turned: vec4
+    sums: vec3
+    turns: int
+    any_odd: bool
+    nested: float
+    alternating: float
+    powers: vec3
+    same: float
+    handed_on: float
+    twice: float
+    place: ivec2
+    material: float
+
+
+@function
+def harmonic(count: int) -> float:
+    """1 + 1/2 + ... + 1/count."""
+    total = 0.0 * THIRD
+    for n in range(1, count + 1):
+        total = total + 1.0 / float32(n)
+    return total
+
+
+@stage(source="test")
+def everything(
+    picture: Texture[vec3],
+    flags: Texture[bool],
+    weights: Array[float],
+    numbers: Array[int],
+    pixel: ivec2,
+    value: float,
+    number: int,
+    flag: bool,
+    shift: vec2,
+    matrix: mat4,
+    count: int,
+    exponent: float,
+) -> Everything:
+    """Loops, one in the other, with powers inside; powers of fragments, of uniforms and of powers; whole numbers."""
+    turned = matrix * vec4(value, shift, 1.0)
+    sums = vec3(0.0, 0.0, 0.0)
+    turns = 0
+    odd = flag
+    for tap in range(0, count):
+        at = pixel + ivec2(numbers[tap], -tap)
+        sums = sums + texel_clamped(picture, at) * (weights[tap] * pow(value, exponent))
+        turns = turns + select(texel_clamped(flags, at), numbers[tap], tap)
+        odd = odd | (turns < 0)
+    nested = 0.0 * value
+    for n in range(0, count):
+        nested = nested + harmonic(n) * value
+    alternating = -value
+    for k in range(0, count):
+        alternating = alternating + exp2(-float32(k)) * harmonic(k)
+    powers = vec3(pow(value, exponent), exp(-value), log2(max(value, THIRD)))
+    last = size(picture) - ivec2(1, 1)
+    place = ivec2(clamp(pixel.x + number, 0, last.x), clamp(pixel.y - number, 0, last.y))
+    return Everything(
+        turned,
+        sums,
+        turns,
+        odd & (value > THIRD),
+        nested,
+        alternating,
+        powers * pow(powers.y, 2.0),
+        pow(exponent, exponent),
+        value,
+        value,
+        place,
+        weights[numbers[min(number, 3)]] * floor(value * 8.0) + texel(picture, place).y,
+    )
+
+
+def inputs(width, height, seed=0):
+    rng = np.random.default_rng(seed)
+    shape = height, width
+    return Inputs(
+        width,
+        height,
+        {
+            "picture": rng.random((5, 6, 3)).astype(F),
+            "flags": rng.integers(0, 2, (4, 9)).astype(np.uint8),
+            "value": np.where(rng.random(shape) < 0.1, 0, rng.exponential(size=shape)).astype(F),
+            "number": rng.integers(0, 5, shape).astype(np.int32),
+            "flag": rng.integers(0, 2, shape).astype(np.uint8),
+        },
+        {
+            "weights": rng.random(4).astype(F),
+            "numbers": np.array([1, 0, 3, -2], np.int32) % 4,
+            "shift": rng.random(2).astype(F),
+            "matrix": rng.normal(size=(4, 4)).astype(F),
+            "count": 4,
+            "exponent": F(0.6),
+        },
+    )
+
+
+@pytest.mark.parametrize(("width", "height"), SIZES)
+def test_every_form_has_the_bits_of_array_code(width, height):
+    given = inputs(width, height)
+    assert_same_bits(run(strips, everything, given), run(arrays, everything, given))
+
+
+@pytest.mark.parametrize("varying", ["exponent", "shift"])
+def test_what_is_a_uniform_may_be_a_buffer(varying):
+    given = inputs(19, 3)
+    wide = np.broadcast_to(np.asarray(given.uniforms[varying]), (3, 19, *np.shape(given.uniforms[varying])))
+    buffers = {**given.buffers, varying: np.ascontiguousarray(wide, F)}
+    uniforms = {name: value for name, value in given.uniforms.items() if name != varying}
+    moved = Inputs(19, 3, buffers, uniforms)
+    assert_same_bits(run(strips, everything, moved), run(arrays, everything, given))
+
+
+@pytest.mark.parametrize("share", [0.0, 0.03, 0.5, 1.0])
+def test_beside_the_stencil_stands_the_background(share):
+    given = inputs(97, 61)
+    stencil = (np.random.default_rng(1).random((61, 97)) < share).astype(np.uint8)
+    one = Pass("one", "", ScreenDraw("stencil"), (everything,))
+    found = []
+    kinds = one.outputs.items()
+    backgrounds = {name: np.arange(1, CHANNELS[kind] + 1).astype(dtype_of(kind)) for name, kind in kinds}
+    for interpreter in (strips, arrays):
+        outputs = {name: np.full(shape_of(kind, 97, 61), 9, dtype_of(kind)) for name, kind in kinds}
+        fragments = Fragments(97, 61, stencil=stencil)
+        interpreter.run_fragments(Work(one, fragments, given.uniforms, given.buffers, outputs, backgrounds), None)
+        found.append(outputs)
+    assert_same_bits(*found)
