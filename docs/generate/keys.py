@@ -34,6 +34,7 @@ WORDS = {  # how a reader calls the type of a value
     scattering.Kernel: "one of "
     + ", ".join(f'`"{name}"`' for name in get_args(get_args(scattering.KernelName)[0]))
     + ", or an array of `[X, Y, r, g, b]`",
+    scattering.Profile: '`"skin"`, or an array of `[v, r, g, b]`',
     mapping.Part: "text or whole number",
     mapping.ChannelNames: "text of single letters, or an array of names",
     mapping.Shape: "`[height, width]` or `[height, width, channels]`",

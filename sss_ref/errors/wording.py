@@ -34,7 +34,7 @@ CHOICES: tuple[KeyPath, ...] = (
     ("lights", ANY),
     ("mesh", "color"),
     ("blur", "kernel"),
-    *(("translucency", key) for key in ("x", "y", "exponent", "scale", "d_min")),
+    *(("translucency", key) for key in ("x", "y", "exponent", "scale", "d_min", "gaussians")),
 )
 
 

@@ -21,6 +21,7 @@ FORM = {
     "ratio": translucency.translucency_ratio,
     "exponent": translucency.translucency_exponent,
     "beer": translucency.translucency_beer,
+    "gaussians": translucency.translucency_gaussians,
 }
 BY_CHANNEL = ("x", "y", "exponent", "d_min", "translucency", "translucency_scale")  # one number, or one a channel
 

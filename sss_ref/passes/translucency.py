@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from sss_ref.language import (
+    Array,
     constant,
     dot,
     exp,
@@ -75,6 +76,31 @@ def translucency_beer(
 ) -> Translucency:
     """T = e^(-x*d): what an absorbing body of extinction x per scene unit leaves."""
     return Translucency(where_light_passes(exp(-x * thickness), directly_lit, shadow_uv, translucency_neutral))
+
+
+class ChannelTranslucency(NamedTuple):
+    """The factors that the body's thickness leaves of red, green and blue light."""
+
+    translucency: vec3  # neutral as in Translucency
+
+
+@stage(source="d'Eon, Luebke and Enderton 2007; Jimenez et al. 2010")
+def translucency_gaussians(
+    thickness: float,
+    directly_lit: bool,
+    shadow_uv: vec2,
+    gaussian_weight: Array[vec3],
+    gaussian_variance: Array[float],
+    gaussian_count: int,
+    mm_per_unit: float,
+    translucency_neutral: float,
+) -> ChannelTranslucency:
+    """T = the sum of w*e^(-d^2/v), d in mm: what a material whose light spreads by these Gaussians lets through."""
+    depth = thickness * mm_per_unit
+    total = vec3(0.0, 0.0, 0.0)
+    for term in range(0, gaussian_count):
+        total = total + gaussian_weight[term] * exp(-(depth * depth) / gaussian_variance[term])
+    return ChannelTranslucency(where_light_passes(total, directly_lit, shadow_uv, translucency_neutral))
 
 
 class Lit(NamedTuple):

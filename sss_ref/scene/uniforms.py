@@ -64,11 +64,12 @@ def uniforms_of(
     }
     rounded = {name: np.array(value, np.float32, order="C") for name, value in values.items()}
     scalars = {name: value if value.ndim else value[()] for name, value in rounded.items()}
-    return {**scalars, "tap_count": len(taps)}
+    return {**scalars, "tap_count": len(taps), "gaussian_count": len(settings.translucency.terms)}
 
 
 def _of_translucency(translucency: TranslucencySettings) -> dict[str, Any]:
     """Its uniforms; where one has three channels, all that may have them do."""
+    terms = np.array(translucency.terms)
     values = {
         "x": translucency.x,
         "y": translucency.y,
@@ -77,7 +78,8 @@ def _of_translucency(translucency: TranslucencySettings) -> dict[str, Any]:
         "translucency_scale": translucency.scale,
     }
     channels = 3 if translucency.by_channel else ()
-    return {name: np.broadcast_to(value, channels) for name, value in values.items()}
+    spread = {name: np.broadcast_to(value, channels) for name, value in values.items()}
+    return {**spread, "gaussian_variance": terms[:, 0], "gaussian_weight": terms[:, 1:]}
 
 
 def _ahead(settings: SceneFile, camera: View) -> Vector:

@@ -42,6 +42,7 @@ Vector = Annotated[tuple[Number, Number, Number], Field(strict=False)]
 Color = Annotated[tuple[NonNegative, NonNegative, NonNegative], Field(strict=False)]
 Direction = Annotated[Vector, requiring(any, "a vector that is not zero")]
 Scale = Annotated[Vector, BeforeValidator(_three_times), requiring(all, "factors that are not zero")]
+GaussianRow = Annotated[tuple[Positive, Number, Number, Number], Field(strict=False)]
 TapRow = Annotated[tuple[Number, Number, Number, Number, Number], Field(strict=False)]
 
 N = TypeVar("N")

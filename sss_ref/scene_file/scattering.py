@@ -7,8 +7,10 @@ from pydantic import Discriminator, Field, Tag, ValidationInfo, field_validator
 
 from sss_ref.errors.wording import unmet
 from sss_ref.scene_file.kernels import KERNELS, Tap, channel_sums, normalized
+from sss_ref.scene_file.profiles import PROFILES, Gaussian
 from sss_ref.scene_file.quantities import (
     LARGEST_SIZE,
+    GaussianRow,
     NonNegative,
     Number,
     OneOrThree,
@@ -19,9 +21,20 @@ from sss_ref.scene_file.quantities import (
     requiring,
 )
 
+LONGEST_PROFILE = 64  # rows
 KernelName = Annotated[Literal["table1", "hbh09", "schoenberger"], Tag("name")]
 KernelTable = Annotated[tuple[TapRow, ...], Field(strict=False), requiring(len, "at least one row"), Tag("table")]
 Kernel = Annotated[KernelName | KernelTable, Discriminator(lambda value: "name" if isinstance(value, str) else "table")]
+Profile = Annotated[
+    Annotated[Literal["skin"], Tag("name")]
+    | Annotated[
+        tuple[GaussianRow, ...],
+        Field(strict=False),
+        requiring(lambda rows: 1 <= len(rows) <= LONGEST_PROFILE, f"1 to {LONGEST_PROFILE} rows"),
+        Tag("table"),
+    ],
+    Discriminator(lambda value: "name" if isinstance(value, str) else "table"),
+]
 
 
 class TranslucencySettings(Table):
@@ -30,8 +43,9 @@ class TranslucencySettings(Table):
     x, y, exponent, scale and d_min take one number, or three, for red, green and blue; T then has three channels.
     """
 
-    form: Literal["ratio", "exponent", "beer"]
-    """ratio: x^y / d^exponent; exponent: x^(y / d^exponent); beer: exp(-x * d)."""
+    form: Literal["ratio", "exponent", "beer", "gaussians"]
+    """ratio: x^y / d^exponent; exponent: x^(y / d^exponent); beer: exp(-x * d); gaussians: for each channel the sum of
+    w * exp(-d^2 / v), d in mm."""
     combine: Literal["multiply", "add", "transmit"]
     """multiply: the reflected light is scaled by T; add: T is added, less where the light is faced;
     transmit: T is added where the surface faces away."""
@@ -45,12 +59,19 @@ class TranslucencySettings(Table):
     """Factor on T where it is added."""
     d_min: OneOrThree[PositiveOrZero]
     """Smallest thickness that T is computed from, scene units."""
+    gaussians: Profile = "skin"
+    """Of form gaussians: the name of a published sum, or rows [v, red, green, blue], v in mm^2 and the weights w."""
 
     @property
     def by_channel(self) -> bool:
-        """Whether T has three channels: where one of the numbers is three."""
+        """Whether T has three channels: with form gaussians, and where one of the numbers is three."""
         numbers = (self.x, self.y, self.exponent, self.scale, self.d_min)
-        return any(isinstance(number, tuple) for number in numbers)
+        return self.form == "gaussians" or any(isinstance(number, tuple) for number in numbers)
+
+    @property
+    def terms(self) -> tuple[Gaussian, ...]:
+        """The rows (variance, red, green, blue) of form gaussians."""
+        return PROFILES[self.gaussians] if isinstance(self.gaussians, str) else self.gaussians
 
 
 class Blur(Table):

@@ -14,7 +14,7 @@ from sss_ref.scene.catalogue import METHODS, method_of
 from sss_ref.scene_file import scattering, settings
 
 VALIDATOR = shutil.which("glslangValidator")
-LENGTHS = {"tap_offset": 13, "tap_weight": 13, "material_color": 2}
+LENGTHS = {"tap_offset": 13, "tap_weight": 13, "material_color": 2, "gaussian_weight": 6, "gaussian_variance": 6}
 CHOICES = {
     "preset": alternatives(settings.SceneFile, "preset"),
     "mesh.color": ("material",),

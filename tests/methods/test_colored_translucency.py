@@ -66,8 +66,20 @@ def test_as_the_printed_figures_have_it(method):
         assert np.array_equal(together[..., channel], printed(x)[..., channel])
 
 
+def test_gaussians_are_in_mm():
+    """Twice the mm per unit, with four times the variances: the same thickness, and the same T."""
+    rows = [[0.5, 0.75, 0.5, 0.25], [8.0, 0.25, 0.5, 0.75]]
+    wide = [[4 * variance, *weights] for variance, *weights in rows]
+
+    def T(unit, gaussians):
+        chosen = {"translucency.form": "gaussians", "translucency.gaussians": gaussians, "mm_per_unit": unit}
+        return sss_ref.render(sss_ref.load_scene("sphere", **SMALL, **chosen), keep=["translucency"])["translucency"]
+
+    assert T(4.0, rows).any() and np.array_equal(T(4.0, rows), T(8.0, wide))
+
+
 @needs_mesa
-@pytest.mark.parametrize("form", ["ratio", "beer"])
+@pytest.mark.parametrize("form", ["ratio", "gaussians"])
 @pytest.mark.parametrize("method", ["screen_space", "texture_space"])
 def test_opengl_passes_and_a_wrong_channel_is_named(method, form):
     from sss_ref.gl import draw

@@ -11,6 +11,7 @@ from sss_ref.passes.translucency import (
     lit_transmit,
     translucency_beer,
     translucency_exponent,
+    translucency_gaussians,
     translucency_ratio,
 )
 
@@ -58,6 +59,20 @@ def test_translucency_beer():
     assert call(translucency_beer, thickness=0.5, **beer) == (np.float32(0.36787944117),)
     assert call(translucency_beer, thickness=0, **beer) == (1,)
     assert call(translucency_beer, thickness=1e30, **beer) == (0,)
+
+
+GAUSSIANS = {"gaussian_weight": [[0.5, 0.25, 0], [0.25, 0.5, 1]], "gaussian_variance": [4, 16], "gaussian_count": 2}
+
+
+def test_translucency_gaussians():
+    # d = 2 units of 2 mm: e^(-16/4) = 0.01831563889, e^(-16/16) = 0.36787944117; .5*a + .25*b, .25*a + .5*b, b.
+    inputs = {**SHADED, **GAUSSIANS, "mm_per_unit": 2, "translucency_neutral": 0}
+    ((red, green, blue),) = call(translucency_gaussians, thickness=2, **inputs)
+    assert (red, green) == pytest.approx((0.10112767974, 0.18851863031), rel=1e-7)
+    assert blue == np.float32(0.36787944117)
+    assert call(translucency_gaussians, thickness=0, **inputs) == ((0.75, 0.75, 1),)
+    assert call(translucency_gaussians, thickness=1e30, **inputs) == ((0, 0, 0),)
+    assert call(translucency_gaussians, thickness=2, **{**inputs, "directly_lit": True}) == ((0, 0, 0),)
 
 
 def test_one_number_for_each_channel():

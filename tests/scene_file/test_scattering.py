@@ -2,6 +2,7 @@ import pytest
 from pydantic import ValidationError
 
 from sss_ref.scene_file.kernels import HBH09, KERNELS, SCHOENBERGER, TABLE1, channel_sums, normalized
+from sss_ref.scene_file.profiles import SKIN
 from sss_ref.scene_file.scattering import Blur, TranslucencySettings
 
 
@@ -22,12 +23,26 @@ def test_one_number_or_three_for_each_channel():
     for key in ("x", "y", "exponent", "scale", "d_min"):
         three = TranslucencySettings(**{**ONE, key: [1, 2, 3]})
         assert three.by_channel and getattr(three, key) == (1, 2, 3)
+    assert TranslucencySettings(**{**ONE, "form": "gaussians"}).by_channel
 
 
 @pytest.mark.parametrize("wrong", [[1, 2], [1, 2, 3, 4], [1, -2, 3], [1, True, 3], True])
 def test_channels_that_are_none(wrong):
     with pytest.raises(ValidationError):
         TranslucencySettings(**{**ONE, "x": wrong})
+
+
+def test_terms_of_a_sum_of_gaussians():
+    assert TranslucencySettings(**ONE).terms == SKIN
+    own = TranslucencySettings(**ONE, gaussians=[[2, 1, 0.5, -0.5]])
+    assert own.terms == ((2, 1, 0.5, -0.5),)
+    for wrong in ([], [[0, 1, 1, 1]], [[1, 1, 1]], [[1, 1, 1, 1]] * 65, "milk"):
+        with pytest.raises(ValidationError):
+            TranslucencySettings(**ONE, gaussians=wrong)
+
+
+def test_skin_lets_all_light_leave_again():
+    assert [round(sum(column), 12) for column in list(zip(*SKIN, strict=True))[1:]] == [1, 1, 1]
 
 
 def test_kernels_sum_to_what_their_authors_printed():

@@ -73,6 +73,7 @@ BY_PRESET = {
             "exponent": 0.6,
             "scale": 1.0,
             "d_min": 0.1,
+            "gaussians": "skin",
         },
         "blur": {"kernel": "table1", "mask": "output", "pixel_scale": 1.0, **IN_PIXELS},
         "irradiance_map": {
@@ -93,6 +94,7 @@ BY_PRESET = {
             "exponent": 0.6,
             "scale": 0.2,
             "d_min": 0.1,
+            "gaussians": "skin",
         },
         "blur": {"kernel": "hbh09", "mask": "taps", "pixel_scale": 2.0, **IN_PIXELS},
         "irradiance_map": {
@@ -126,6 +128,7 @@ BY_PRESET = {
             "exponent": 0.6,
             "scale": 1.0,
             "d_min": 0.0,
+            "gaussians": "skin",
         },
         "blur": {"kernel": "schoenberger", "mask": "none", "pixel_scale": 1.0, **IN_PIXELS},
         "irradiance_map": {

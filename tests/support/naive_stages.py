@@ -261,6 +261,22 @@ def translucency_beer(thickness, directly_lit, shadow_uv, x, translucency_neutra
     return _translucency(term, directly_lit, shadow_uv, translucency_neutral)
 
 
+def translucency_gaussians(
+    thickness,
+    directly_lit,
+    shadow_uv,
+    gaussian_weight,
+    gaussian_variance,
+    gaussian_count,
+    mm_per_unit,
+    translucency_neutral,
+):
+    depth, total = thickness * mm_per_unit, [F(0)] * 3
+    for weight, variance in list(zip(gaussian_weight, gaussian_variance, strict=True))[:gaussian_count]:
+        total = added(total, scaled(weight, correctly_rounded(gmpy2.exp, -(depth * depth) / variance)))
+    return ([_translucency(term, directly_lit, shadow_uv, translucency_neutral)[0] for term in total],)
+
+
 def lit_multiply(phong, directly_lit, translucency):
     return (phong if directly_lit else scaled(phong, translucency),)
 

@@ -109,7 +109,7 @@ class Processor:
         return each(direction, v)
 
     def exponential(self, function, x):
-        return self.rounded(function(x), 3 + 2 * np.minimum(np.abs(x), 150))
+        return np.maximum(self.rounded(function(x), 3 + 2 * np.minimum(np.abs(x), 150)), 0)  # in ULP it might be below
 
     def log2(self, x):
         near_one = self.rng.uniform(-1, 1, np.shape(x)) * 2.0**-22 if not self.exact else 0.0
