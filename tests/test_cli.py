@@ -130,6 +130,8 @@ def test_verify_tells_a_difference_by_its_exit_code(out, capsys, monkeypatch):
         (["diff", ".", ".", "-o", "no/x.png"], "no/x.png: expected an existing folder, got no"),
         (["info", "nothing.obj"], "nothing.obj: expected a readable file, got No such file"),
         (["info", "nothing"], "nothing: expected one of .obj"),
+        (["init", "nothing"], "nothing: expected one of .obj"),
+        (["init", "tetrahedron", "-o", "head.obj"], "head.obj: expected a file name that ends in .toml, got .obj; add"),
     ],
 )  # fmt: skip
 def test_bad_input_is_told_in_one_message(out, capsys, monkeypatch, tmp_path, arguments, message):
@@ -290,7 +292,8 @@ def test_info_of_a_file_and_of_a_shipped_mesh(data_folder, capsys):
         "vertices": "4",
         "bounds": "(0, 0, 0) to (1, 1, 1)",
         "size": "(1, 1, 1)",
-        "unit": "not in the file; the scene's mesh.scale and mm_per_unit say it",
+        "mm_per_unit": "250 if the longest side is 250 mm; the scene has to say it",
+        "d_min": "0.05, a twentieth of the longest side; see sss-ref init",
         "normals": "computed, weighted by area",
         "watertight": "yes",
         "UVs": "none; for the texture-space method set mesh.unwrap = true",
@@ -305,6 +308,7 @@ def test_info_as_json(data_folder, capsys):
     facts = json.loads(capsys.readouterr().out)
     assert (facts["low"], facts["high"], facts["size"]) == ([0, 0, 0.5], [3, 1, 0.5], [3, 1, 0])
     assert (facts["triangles"], facts["vertices"], facts["watertight"]) == (2, 4, False)
+    assert (facts["mm_per_unit"], facts["d_min"]) == (83.3, 0.15)
     uv = {"shifted": 0, "mirrored": 0, "zero_area": 0, "out_of_range": 2, "seams": 0, "bounds": [0, 0, 1.5, 1]}
     assert facts["uv"] == uv
     assert main(["info", "quad"]) == 0
@@ -312,6 +316,24 @@ def test_info_as_json(data_folder, capsys):
     assert re.search(r"UV bounds +\(0, 0\) to \(1.5, 1\)", told) and re.search(
         "UV outside 0..1 +2 vertices, 0 tri", told
     )
+
+
+def test_init_writes_a_scene_that_renders_and_never_replaces_one_unasked(out, capsys, monkeypatch):
+    out.mkdir()
+    monkeypatch.chdir(out)
+    assert main(["init", "tetrahedron"]) == 0
+    assert capsys.readouterr().out == "scene.toml: sss-ref render scene.toml shows it\n"
+    small = ["--size", "16x16", "--set", "shadow_map.width=16", "--set", "shadow_map.height=16"]
+    assert main(["render", "scene.toml", "-o", "picture", "--interpreter", "arrays", *small]) == 0
+    assert capsys.readouterr().err == ""
+    (out / "scene.toml").write_text("mine")
+    assert main(["init", "tetrahedron"]) == 2
+    assert capsys.readouterr().err == (
+        "error: scene.toml: expected a new file, got one that is there; choose another with -o, or give --force\n"
+    )
+    assert (out / "scene.toml").read_text() == "mine"
+    assert main(["init", "tetrahedron", "-o", "scene.toml", "--force"]) == 0
+    assert "[[lights]]" in (out / "scene.toml").read_text()
 
 
 def test_values_of_set_are_toml_or_text():

@@ -9,6 +9,7 @@ from sss_ref.cli.explaining import explain
 from sss_ref.cli.listing import info, scenes
 from sss_ref.cli.render_commands import render, warmup
 from sss_ref.cli.shader_commands import bundle, glsl, webgl
+from sss_ref.cli.starting import init
 from sss_ref.cli.validating import validate
 from sss_ref.errors import SssRefError
 
@@ -23,7 +24,7 @@ def _version() -> str:
 
 
 app = App(name="sss-ref", help=PURPOSE, version=_version, result_action="return_value")
-for command in (render, verify, diff, explain, glsl, bundle, webgl, validate, info, scenes, warmup):
+for command in (init, render, verify, diff, explain, glsl, bundle, webgl, validate, info, scenes, warmup):
     app.command(command)
 app.command("sss_ref.cli.mapping_command:mapping", name="mapping", help=MAPPING)  # loaded when asked for
 

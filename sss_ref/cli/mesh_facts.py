@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from sss_ref.mesh.likely_size import LONGEST_MM, LikelySize
 from sss_ref.mesh.topology import is_watertight
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.mesh.uv_facts import UvFacts, uv_facts
@@ -23,6 +24,8 @@ class MeshFacts:
     low: Point  # least coordinates
     high: Point  # greatest coordinates
     size: Point  # high - low
+    mm_per_unit: float  # for the scene file: a guess, see mesh.likely_size
+    d_min: float  # for the scene file's [translucency], that follows from the size
     normals: str  # "file" or "computed"
     watertight: bool
     uv: UvFacts | None  # None: the mesh has no UVs
@@ -35,7 +38,8 @@ class MeshFacts:
         yield "vertices", str(self.vertices)
         yield "bounds", f"{_written(self.low)} to {_written(self.high)}"
         yield "size", _written(self.size)
-        yield "unit", "not in the file; the scene's mesh.scale and mm_per_unit say it"
+        yield "mm_per_unit", f"{self.mm_per_unit:g} if the longest side is {LONGEST_MM:g} mm; the scene has to say it"
+        yield "d_min", f"{self.d_min:g}, a twentieth of the longest side; see sss-ref init"
         yield "normals", "from the file" if self.normals == "file" else "computed, weighted by area"
         yield "watertight", "yes" if self.watertight else "no: inside and outside are not known"
         yield from _uv_rows(self.uv, self.triangles) if self.uv else [("UVs", NO_UVS)]
@@ -44,7 +48,7 @@ class MeshFacts:
 
 def mesh_facts(mesh: Mesh) -> MeshFacts:
     """The facts of a loaded mesh."""
-    low, high = mesh.positions.min(axis=0), mesh.positions.max(axis=0)
+    low, high, likely = mesh.positions.min(axis=0), mesh.positions.max(axis=0), LikelySize.of(mesh)
     return MeshFacts(
         name=mesh.name,
         triangles=len(mesh.triangles),
@@ -52,6 +56,8 @@ def mesh_facts(mesh: Mesh) -> MeshFacts:
         low=tuple(low.tolist()),
         high=tuple(high.tolist()),
         size=tuple((high - low).tolist()),
+        mm_per_unit=likely.mm_per_unit,
+        d_min=likely.d_min,
         normals=mesh.normals_source,
         watertight=is_watertight(mesh.positions, mesh.triangles),
         uv=None if mesh.uvs is None else uv_facts(mesh),

@@ -67,6 +67,8 @@ def read_arrays(folder: Path) -> Mesh:
         raise refused(folder / "material.npy", f"numbers of {len(record.materials)} materials", "others", AGAIN)
     for name, array in (("position", positions), ("normal", normals), ("uv", uvs)):
         finite32(folder / f"{name}.npy", array.astype(np.float64), "numbers")
+    if (positions == positions[0]).all():
+        raise refused(folder / "position.npy", "a mesh of some size", "all vertices at one point", AGAIN)
     return Mesh(
         record.name,
         positions,

@@ -65,6 +65,7 @@ def saved(array, cut=None):
             saved(np.full((4, 3), np.inf, np.float32)),
             "expected numbers that are finite in float32, got",
         ),
+        ("position.npy", saved(np.ones((4, 3), np.float32)), "expected a mesh of some size, got all vertices at one"),
         ("normal.npy", saved(MESH.normals, -1), "expected a whole NPY file, got one that is damaged or cut off"),
         ("normal.npy", saved(np.array([object()])), "expected a whole NPY file, got one that is damaged or cut off"),
         ("normal.npy", b"", "expected a whole NPY file, got one that is damaged or cut off"),

@@ -1,0 +1,147 @@
+"""A first scene file for a mesh: commented, and framed so that its picture is good at once."""
+
+import json
+import os
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sss_ref.errors import SceneError
+from sss_ref.errors.wording import told
+from sss_ref.mesh.likely_size import LONGEST_MM, LikelySize, three_digits
+from sss_ref.mesh.mesh_file import load_mesh
+from sss_ref.mesh.triangles import Mesh
+from sss_ref.numerics.trigonometry import tangent
+from sss_ref.scene_file.presets import ROBUST
+from sss_ref.scene_file.shipped import find_mesh
+from sss_ref.view.light_fit import Bounds
+from sss_ref.view.matrices import look_at, outward, transformed
+from sss_ref.view.views import UP
+
+AZIMUTH, ELEVATION, FOV_Y = 25.0, 5.0, 30.0  # degrees: a portrait
+AROUND = 1.12  # room around the mesh, as a factor on half of its height or width in the picture
+SIZE_OF_ROBUST = 2.0  # units: the longest side of the bust that the scale of preset robust was chosen on
+EXPONENT = 0.6  # of the thickness in T: paper 3.2
+
+TEXT = """\
+# A first scene for {name}. Every key may be changed; what is left out comes from the preset.
+preset = "robust"
+
+# How far light spreads depends on the size, which a mesh file does not say. Here the longest side, {longest:.4g} units,
+# is taken for {longest_mm:g} mm, as of a head. Is the unit a metre, set 1000; a centimetre, 10; a millimetre, 1.
+mm_per_unit = {mm_per_unit}
+
+[mesh]
+path = {path}
+color = [0.82, 0.52, 0.41]              # linear RGB{color}
+# rotate_degrees = [-90.0, 0.0, 0.0]    # if it lies on its back: up is +Z in its file, +Y here
+
+[camera]
+type = "orbit"                          # about target, here the middle of the mesh
+target = [{target}]
+azimuth = {azimuth}                          # degrees; 0 looks from +Z, 90 from +X
+elevation = {elevation}
+distance = {distance}
+fov_y = {fov_y}
+near = {near}
+far = {far}
+
+[[lights]]                              # the key light, which shows the form
+azimuth = -20.0
+elevation = 35.0
+distance = {distance}
+color = [1.0, 0.96, 0.92]
+intensity = 0.85
+
+[[lights]]                              # the back light, which shines through what is thin
+azimuth = 200.0
+elevation = 20.0
+distance = {distance}
+color = [1.0, 0.45, 0.28]
+intensity = 0.7
+
+[phong]
+ambient = 0.04
+specular = 0.3
+
+# T = 2^0.5 / d^0.6 for the way d through the body, in units: so both numbers go with the longest side.
+[translucency]
+d_min = {d_min}                           # what is thinner lets no more through: a twentieth of that side
+scale = {scale}                           # how much comes through
+
+[output]
+background = [0.012, 0.016, 0.022]
+"""
+
+
+def write_first_scene(mesh: str, target: Path, replace: bool) -> None:
+    """Write a first scene for a mesh file, or a shipped mesh of this name, to the file `target`.
+
+    Raises MeshError for a mesh that cannot be drawn, and SceneError for a file that cannot be written or is there
+    already, unless `replace` says that it may go.
+    """
+    if target.suffix != ".toml":
+        raise SceneError(told(str(target), "a file name that ends in .toml", target.suffix or "none", "add it"))
+    if target.exists() and not replace:
+        raise _already_there(target)
+    loaded = load_mesh(find_mesh(mesh, Path()) or Path(mesh))
+    text = first_scene(loaded, _path_from(target.parent, mesh))
+    try:
+        with target.open("w" if replace else "x", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+    except FileExistsError:
+        raise _already_there(target) from None
+    except OSError as error:
+        raise SceneError(told(str(target), "a file to write", error.strerror or "none", "choose another")) from None
+
+
+def first_scene(mesh: Mesh, path: str) -> str:
+    """The text of a scene file that shows `mesh`, which it finds at `path`."""
+    size, bounds = LikelySize.of(mesh), Bounds.around(mesh.positions.astype(np.float64))
+    distance = _distance(mesh.positions - bounds.centre)
+    return TEXT.format(
+        name=_quoted(mesh.name),
+        path=_quoted(path),
+        color="" if mesh.uvs is None else "; or texture = a picture that lies over its UVs",
+        longest=size.longest,
+        longest_mm=LONGEST_MM,
+        mm_per_unit=size.mm_per_unit,
+        d_min=size.d_min,
+        scale=three_digits(ROBUST["translucency"]["scale"] * (size.longest / SIZE_OF_ROBUST) ** EXPONENT),
+        target=", ".join(str(float(f"{x:.6g}")) for x in bounds.centre.tolist()),
+        azimuth=AZIMUTH,
+        elevation=ELEVATION,
+        fov_y=FOV_Y,
+        distance=three_digits(distance),
+        near=three_digits((distance - bounds.radius) / 2),
+        far=three_digits(2 * (distance + bounds.radius)),
+    )
+
+
+def _distance(points: NDArray[np.float64]) -> float:
+    """How far a camera is from the origin, in its direction above, that just holds points (N, 3) and AROUND them."""
+    view_from_world = look_at(outward(AZIMUTH, ELEVATION), np.zeros(3), np.array(UP))  # from a distance of 1
+    x, y, z = transformed(view_from_world, points).T
+    beside = np.maximum(np.abs(x), np.abs(y))
+    return float((1 + z + AROUND * beside / tangent(FOV_Y / 2)).max())
+
+
+def _path_from(folder: Path, mesh: str) -> str:
+    """The mesh as a scene file in `folder` names it: relative to it, with /, or as a shipped mesh."""
+    if not os.path.exists(mesh):
+        return mesh
+    whole = Path(mesh).parent.resolve() / Path(mesh).name
+    try:
+        return Path(os.path.relpath(whole, folder.resolve())).as_posix()
+    except ValueError:  # another drive
+        return whole.as_posix()
+
+
+def _quoted(text: str) -> str:
+    """A text as TOML writes it."""
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _already_there(target: Path) -> SceneError:
+    return SceneError(told(str(target), "a new file", "one that is there", "choose another with -o, or give --force"))
