@@ -12,13 +12,12 @@ from sss_ref.language.pipeline import Pass
 from sss_ref.passes.buffers import described
 from sss_ref.pictures import tiles
 from sss_ref.pictures.lettering import BRIGHT, FAINT, SOFT, font
-from sss_ref.pictures.png_file import encoding_of
+from sss_ref.pictures.png_file import ZLIB, encoding_of
 from sss_ref.rendering.result import Result
 from sss_ref.rules import RULES_VERSION
 
 TILE = 320  # width of a tile, pixels
 SUPERSAMPLES = 1.5  # at least so many values in each direction are averaged to a pixel of a tile, where there are more
-PNG_LEVEL = 3  # of zlib: a third of the default's time for a file a few percent larger
 GAP = 20
 MARGIN = 36
 HEADER = 104  # height of the title
@@ -69,7 +68,7 @@ def write_overview(path: Path, result: Result) -> None:
         _draw_pass_line(sheet, tile, corner, named=tile.leads or column == 0, joined=column > 0 and not tile.leads)
         _draw_picture(sheet, tile, (corner[0], corner[1] + PASS_LINE), frame)
         _draw_caption(sheet, tile, (corner[0], corner[1] + PASS_LINE + frame[1]))
-    sheet.save(path, compress_level=PNG_LEVEL)
+    sheet.save(path, **ZLIB)
 
 
 def _tiles(result: Result) -> Iterator[Tile]:
@@ -77,19 +76,19 @@ def _tiles(result: Result) -> Iterator[Tile]:
     encode = encoding_of(result.scene.settings)
     for number, this_pass in enumerate(result.scene.method.passes):
         kept = [name for name in this_pass.values if name in result.buffers]
+        limited = _drawn(result, this_pass)
         for name in kept:
             buffer = result.buffers[name]
             accent = ACCENTS[number % len(ACCENTS)]
-            leads = name == kept[0]
-            yield Tile(name, buffer, _covered(result, this_pass, buffer), this_pass.name, accent, leads, encode)
+            covered = np.ones(buffer.shape[:2], bool) if limited is None else limited
+            yield Tile(name, buffer, covered, this_pass.name, accent, name == kept[0], encode)
 
 
-def _covered(result: Result, this_pass: Pass, buffer: np.ndarray) -> np.ndarray:
-    """Where a pass has drawn: its mesh, or its rectangle within the stencil; everywhere if that was not kept."""
-    drawn = this_pass.draw.triangle or this_pass.draw.stencil
-    if drawn not in result.buffers:
-        return np.ones(buffer.shape[:2], bool)
-    limit = result.buffers[drawn]
+def _drawn(result: Result, this_pass: Pass) -> np.ndarray | None:
+    """Where a pass has drawn: its mesh, or its rectangle within the stencil; None if that was not kept."""
+    limit = result.buffers.get(this_pass.draw.triangle or this_pass.draw.stencil)
+    if limit is None:
+        return None
     return limit != 0 if limit.dtype == np.uint8 else limit >= 0
 
 

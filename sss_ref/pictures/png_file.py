@@ -1,5 +1,6 @@
 """The preview: colours in 8 bits, as sRGB (IEC 61966-2-1) or as they are, in a PNG file, top row first."""
 
+import zlib
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -9,6 +10,7 @@ import numpy as np
 from sss_ref.scene_file.settings import SceneFile
 
 DROPPED_BITS = 15  # of a float32: sign, exponent and 8 bits of the fraction stay
+ZLIB = {"compress_level": 1, "compress_type": zlib.Z_RLE}  # a third of the default's time, files 10 to 20 % larger
 
 
 @cache
@@ -78,9 +80,9 @@ def write_png(
     coverage: 0 to 1 (H, W), becomes alpha (colour is not premultiplied by it); None: no alpha channel.
     encode: what brings linear values to 8 bits, `srgb8` or `plain8`.
     """
-    import imageio.v3 as imageio
+    from PIL import Image
 
     pixels = encode(image)
     if coverage is not None:
         pixels = np.dstack((pixels, plain8(coverage)))
-    imageio.imwrite(path, pixels[::-1])
+    Image.fromarray(np.ascontiguousarray(pixels[::-1])).save(path, **ZLIB)

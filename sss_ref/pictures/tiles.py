@@ -31,21 +31,45 @@ def picture(
     become 8 bits.
     """
     kind = "".join(channel_names(name, buffer))
-    if kind == "RGB":
-        return over_ground(encode(buffer), covered)
-    if buffer.dtype == np.uint8:
-        return over_ground(np.array(MASK, np.uint8), buffer != 0)
-    if buffer.dtype.kind == "i":
-        return over_ground(hashed_colours(buffer), covered)
+    drawn = buffer != 0 if buffer.dtype == np.uint8 else covered
     if kind == "UV":
-        return over_ground(uv_colours(buffer), covered & (buffer >= 0).all(axis=-1))
-    values = stretched(buffer, *(spread or value_range(buffer, covered)))
-    return over_ground(values if kind == "XYZ" else RAMP[values], covered)
+        drawn = drawn & (buffer >= 0).all(axis=-1)
+    where = np.flatnonzero(drawn)
+    shown = _ground(covered.shape)
+    shown.reshape(-1, 3)[where] = _colours(kind, taken(buffer, where), spread, encode)
+    return shown
+
+
+def _colours(
+    kind: str,
+    values: np.ndarray,
+    spread: tuple[float, float] | None,
+    encode: Callable[[np.ndarray], np.ndarray],
+) -> np.ndarray:
+    """The colours uint8 (N, 3) of the values (N,) or (N, C) that are drawn of a buffer with the channels `kind`."""
+    if kind == "RGB":
+        return encode(values)
+    if kind == "UV":
+        return uv_colours(values)
+    if values.dtype == np.uint8:
+        return np.broadcast_to(np.array(MASK, np.uint8), (len(values), 3))
+    if values.dtype.kind == "i":
+        return hashed_colours(values)
+    codes = stretched(values, *(spread or _ends(values)))
+    return codes if kind == "XYZ" else RAMP[codes]
+
+
+def taken(buffer: np.ndarray, where: np.ndarray) -> np.ndarray:
+    """The values (N,) or (N, C) of a buffer at the pixels `where`, counted row by row."""
+    return np.take(buffer.reshape(-1, *buffer.shape[2:]), where, axis=0)
 
 
 def value_range(buffer: np.ndarray, covered: np.ndarray) -> tuple[float, float]:
     """Least and largest value over the covered pixels; 0, 0 where there are none."""
-    values = buffer[covered]
+    return _ends(taken(buffer, np.flatnonzero(covered)))
+
+
+def _ends(values: np.ndarray) -> tuple[float, float]:
     return (values.min().item(), values.max().item()) if values.size else (0, 0)
 
 
@@ -56,8 +80,16 @@ def has_ramp(name: str, buffer: np.ndarray) -> bool:
 
 def over_ground(colours: np.ndarray, covered: np.ndarray) -> np.ndarray:
     """Colours where covered, GROUND elsewhere."""
-    shown = np.full((*covered.shape, 3), GROUND, np.uint8)
+    shown = _ground(covered.shape)
     np.copyto(shown, colours, where=covered[..., None])
+    return shown
+
+
+def _ground(size: tuple[int, ...]) -> np.ndarray:
+    """A picture uint8 (H, W, 3) of GROUND alone, channel by channel: of whole pixels it takes NumPy longer."""
+    shown = np.empty((*size, 3), np.uint8)
+    for channel, value in enumerate(GROUND):
+        shown[..., channel] = value
     return shown
 
 
@@ -72,7 +104,7 @@ def stretched(values: np.ndarray, low: float, high: float) -> np.ndarray:
 
 def uv_colours(uv: np.ndarray) -> np.ndarray:
     """Texture coordinates as red and green, over a blue that keeps (0, 0) from being black."""
-    return np.dstack((stretched(uv, 0, 1), np.full(uv.shape[:2], 90, np.uint8)))
+    return np.concatenate((stretched(uv, 0, 1), np.full((*uv.shape[:-1], 1), 90, np.uint8)), axis=-1)
 
 
 def hashed_colours(indices: np.ndarray) -> np.ndarray:

@@ -58,4 +58,6 @@ def buffer_hash(name: str, buffer: np.ndarray) -> str:
     height, width = buffer.shape[:2]
     channels = 1 if buffer.ndim == 2 else buffer.shape[2]
     head = f"sss_ref buffer 1\n{name}\n{little.dtype.str}\n{height},{width},{channels}\n"
-    return hashlib.sha256(head.encode() + little.tobytes()).hexdigest()
+    digest = hashlib.sha256(head.encode())
+    digest.update(little.ravel())  # no copy: they are contiguous
+    return digest.hexdigest()

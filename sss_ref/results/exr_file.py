@@ -4,7 +4,6 @@ float32 stays float32; masks and triangle indices become UINT, where -1 is 42949
 the display window, as the format demands, and each has the data window of its own size from the same top left corner.
 """
 
-import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -13,6 +12,8 @@ import numpy as np
 
 from sss_ref.passes.buffers import described
 from sss_ref.pictures.channels import channel_names
+
+ROWS = 16  # copied at a time
 
 
 def write_exr(
@@ -29,9 +30,9 @@ def write_exr(
     parts = []
     for name in image_first:
         header = {**_windows(buffers[name], size), **attributes, "sss_ref:unit": described(name).unit, "name": name}
-        header |= {"type": OpenEXR.scanlineimage, "compression": OpenEXR.ZIPS_COMPRESSION}
+        header |= {"type": OpenEXR.scanlineimage, "compression": OpenEXR.RLE_COMPRESSION}
         parts.append(OpenEXR.Part(header, _channels(name, buffers[name])))
-    OpenEXR.set_global_thread_count(os.cpu_count() or 1)
+    OpenEXR.set_global_thread_count(0)  # threads of its own take longer than this one alone
     OpenEXR.File(parts).write(str(path))
 
 
@@ -47,10 +48,15 @@ def _box(width: int, height: int) -> tuple[np.ndarray, np.ndarray]:
 
 def _channels(name: str, buffer: np.ndarray) -> dict[str, np.ndarray]:
     """Channel -> its plane; contiguous, because OpenEXR would write other pixels of an array with strides."""
-    planes = np.moveaxis(np.atleast_3d(buffer), -1, 0)[:, ::-1]
-    kind = np.float32 if buffer.dtype.kind == "f" else np.uint32
-    # Through int64, -1 wraps to 4294967295 by rule and not by chance of the platform.
-    whole = planes if kind is np.float32 else planes.astype(np.int64) & 0xFFFFFFFF
-    return {
-        channel: np.ascontiguousarray(p, kind) for channel, p in zip(channel_names(name, buffer), whole, strict=True)
-    }
+    stored = np.atleast_3d(_stored(buffer))[::-1]
+    planes = np.empty((stored.shape[2], *stored.shape[:2]), stored.dtype)
+    for row in range(0, len(stored), ROWS):  # so that all channels of some rows are in the processor's cache
+        planes[:, row : row + ROWS] = np.moveaxis(stored[row : row + ROWS], -1, 0)
+    return dict(zip(channel_names(name, buffer), planes, strict=True))
+
+
+def _stored(buffer: np.ndarray) -> np.ndarray:
+    """A buffer in one of the types that EXR has."""
+    if buffer.dtype.kind == "f":
+        return buffer.astype(np.float32, copy=False)
+    return buffer.astype(np.int32, copy=False).view(np.uint32)  # -1 wraps
