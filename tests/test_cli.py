@@ -165,10 +165,10 @@ def test_warnings_go_to_stderr(out, capsys):
 
 
 def test_warnings_come_before_the_folder_is_written(out, monkeypatch, capsys):
-    from sss_ref.results import folder
+    from sss_ref.results.saving import Saving
 
-    told = []
-    monkeypatch.setattr(folder, "save", lambda *_: told.append(capsys.readouterr().err) or out)
+    told, finish = [], Saving.finish
+    monkeypatch.setattr(Saving, "finish", lambda *given: told.append(capsys.readouterr().err) or finish(*given))
     small = [each for key in ("width=8", "height=8", "far=1.0") for each in ("--set", f"camera.{key}")]
     assert main(["render", "-o", str(out), "--interpreter", "arrays", *small]) == 0
     assert told[0].splitlines() == [

@@ -13,6 +13,8 @@ from sss_ref.cli.console import announce_compilation, err, out, progress
 from sss_ref.cli.options import EVERYTHING, KERNELS, NO_CHANGES, Changes, Execution, Wanted
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from sss_ref.rendering.result import Result
     from sss_ref.scene.scene import Scene
 
@@ -29,20 +31,22 @@ def render(
     execution: Execution = KERNELS,
 ) -> int:
     """Render a scene into a folder of pictures, buffers and hashes."""
-    from sss_ref.results.folder import checked_target, save
+    from sss_ref.results.folder import checked_target, saving
+    from sss_ref.results.saving import shows_all
     from sss_ref.scene.load import load_scene
 
-    checked_target(output)
+    folder = checked_target(output)
     announce_compilation(execution)
     with progress("loading the scene") as show:
         loaded = load_scene(scene, **changes.overrides())
         _warn(loaded.warnings)
-        result = _rendered(loaded, wanted, execution, lambda name: show(f"pass {name}"))
-        _warn(result.notes)
-        show("writing files")
-        folder = save(result, output, execution.interpreter, execution.threads)
+        with saving(folder, execution.interpreter, execution.threads) as files:
+            result = _rendered(loaded, wanted, execution, lambda name: show(f"pass {name}"), files.take)
+            _warn(result.notes)
+            show("writing files")
+            result = files.finish(result)
     out.print(_table_of_passes(result))
-    out.print(f"{escape(str(folder))}: open overview.png first")
+    out.print(f"{escape(str(folder))}: open {'image' if shows_all(result) else 'overview'}.png first")
     return 0
 
 
@@ -79,15 +83,22 @@ def _warn(warnings: Iterable[str]) -> None:
         err.print(f"[yellow]warning: {escape(warning)}[/]")
 
 
-def _rendered(scene: "Scene", wanted: Wanted, execution: Execution, on_pass: Callable[[str], None]) -> "Result":
+def _rendered(
+    scene: "Scene",
+    wanted: Wanted,
+    execution: Execution,
+    on_pass: Callable[[str], None],
+    on_buffer: "Callable[[str, np.ndarray], None]",
+) -> "Result":
     """What is wanted of a scene; the image of several samples is their average."""
-    from sss_ref.rendering.fold import render as render_scene
+    from sss_ref.rendering.fold import folded, machine_of
     from sss_ref.rendering.samples import render_samples
 
     if wanted.samples != 1:
         return render_samples(scene, wanted.samples, execution.interpreter, execution.threads, on_pass)
-    keep = scene.until(wanted.until) if wanted.until else wanted.keep or "all"
-    return render_scene(scene, execution.interpreter, execution.threads, keep, on_pass)
+    kept = scene.kept(scene.until(wanted.until) if wanted.until else wanted.keep or "all")
+    with machine_of(execution.interpreter, execution.threads) as machine:
+        return folded(scene, machine, kept, on_pass, on_buffer)
 
 
 def _table_of_passes(result: "Result") -> Table:

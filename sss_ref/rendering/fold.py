@@ -46,25 +46,47 @@ def render(
     Raises SceneError for an unknown interpreter or buffer or bits out of range, RenderError where a stage gives NaN
     or infinity.
     """
+    with machine_of(interpreter, threads, subpixel_bits) as machine:
+        return folded(scene, machine, scene.kept(keep), on_pass)
+
+
+@contextmanager
+def machine_of(interpreter: str, threads: int | None = None, subpixel_bits: int = FINEST) -> Iterator[Machine]:
+    """What runs the passes, its threads waiting until the end; the arguments are those of `render`."""
     if interpreter not in INTERPRETERS:
         raise SceneError(f"interpreter: expected one of {', '.join(INTERPRETERS)}, got {interpreter!r}")
-    kept = scene.kept(keep)
+    with _pool(threads) as pool:
+        yield Machine(INTERPRETERS[interpreter], pool, subpixel_bits)
+
+
+def folded(
+    scene: Scene,
+    machine: Machine,
+    kept: set[str],
+    on_pass: Callable[[str], None] | None = None,
+    on_buffer: Callable[[str, np.ndarray], None] | None = None,
+) -> Result:
+    """Render the buffers `kept` of a scene on a machine, as `render` does.
+
+    on_buffer: called with each of them, its name first, as soon as the pass that writes it is done.
+    """
     buffers: dict[str, np.ndarray] = {}
     timings: dict[str, float] = {}
     notes: list[str] = []
     unshown: list[str] = []
-    with _pool(threads) as pool:
-        machine = Machine(INTERPRETERS[interpreter], pool, subpixel_bits)
-        for this_pass, read_later in scene.method.only(kept).in_order():
-            if on_pass:
-                on_pass(this_pass.name)
-            start, needed = time.perf_counter(), kept | read_later
-            sketch = draw(scene, this_pass, buffers, machine)
-            there = buffers | sketch.written | shaded(scene, this_pass, sketch, buffers, needed, machine)
-            buffers = {name: buffer for name, buffer in there.items() if name in needed}
-            notes += sketch.notes
-            unshown += nothing_drawn(scene, this_pass, sketch)
-            timings[this_pass.name] = time.perf_counter() - start
+    for this_pass, read_later in scene.method.only(kept).in_order():
+        if on_pass:
+            on_pass(this_pass.name)
+        start, needed = time.perf_counter(), kept | read_later
+        sketch = draw(scene, this_pass, buffers, machine)
+        written = sketch.written | shaded(scene, this_pass, sketch, buffers, needed, machine)
+        if on_buffer:
+            for name in sorted(kept & set(written)):
+                on_buffer(name, written[name])
+        buffers = {name: buffer for name, buffer in (buffers | written).items() if name in needed}
+        notes += sketch.notes
+        unshown += nothing_drawn(scene, this_pass, sketch)
+        timings[this_pass.name] = time.perf_counter() - start
     in_stage_order = {name: buffers[name] for name in scene.method.values if name in kept}
     if "image" in kept and not unshown:
         unshown += hidden(scene, buffers["image"])

@@ -20,12 +20,14 @@ class Result:
 
     buffers: name -> (H, W) or (H, W, C), row 0 at the bottom. timings: pass -> seconds.
     notes: what may surprise: of the mesh's UV layout, and where nothing is drawn or the image hides it.
+    digests: those of `hashes` that are known already.
     """
 
     scene: Scene
     buffers: Mapping[str, np.ndarray]
     timings: Mapping[str, float]
     notes: tuple[str, ...] = field(default=(), kw_only=True)
+    digests: Mapping[str, str] = field(default_factory=dict, kw_only=True)
 
     def __getitem__(self, name: str) -> np.ndarray:
         if name not in self.buffers:
@@ -42,7 +44,8 @@ class Result:
     @cached_property
     def hashes(self) -> dict[str, str]:
         """Buffer -> SHA-256 in hexadecimal (rule A5)."""
-        return {name: buffer_hash(name, buffer) for name, buffer in self.buffers.items()}
+        known = self.digests
+        return {name: known.get(name) or buffer_hash(name, buffer) for name, buffer in self.buffers.items()}
 
     def save(self, folder: str | PathLike[str]) -> Path:
         """Write pictures, buffers and manifest into a folder, which appears whole or not at all; returns it."""
@@ -59,5 +62,5 @@ def buffer_hash(name: str, buffer: np.ndarray) -> str:
     channels = 1 if buffer.ndim == 2 else buffer.shape[2]
     head = f"sss_ref buffer 1\n{name}\n{little.dtype.str}\n{height},{width},{channels}\n"
     digest = hashlib.sha256(head.encode())
-    digest.update(little.ravel())  # no copy: they are contiguous
+    digest.update(little.reshape(-1).data)  # no copy is made
     return digest.hexdigest()

@@ -5,7 +5,7 @@ import pytest
 from scenes import around, cube, written
 
 from sss_ref.errors import RenderError, SceneError
-from sss_ref.rendering.fold import render
+from sss_ref.rendering.fold import folded, machine_of, render
 from sss_ref.rendering.result import buffer_hash
 from sss_ref.scene.load import load_scene
 
@@ -131,3 +131,13 @@ def test_subpixel_bits_are_those_of_the_rules_unless_told(scene, everything):
     assert coarse.hashes == render(scene, "arrays", subpixel_bits=2).hashes != everything.hashes
     with pytest.raises(SceneError, match=r"^subpixel_bits: expected 0 to 8, got 9;"):
         render(scene, subpixel_bits=9)
+
+
+def test_kept_buffers_are_handed_out_after_their_pass_and_once(scene):
+    events = []
+    with machine_of("kernel") as machine:
+        result = folded(scene, machine, scene.kept("all"), events.append, lambda *named: events.append(named))
+    handed = [event for event in events if not isinstance(event, str)]
+    assert all(result[name] is buffer for name, buffer in handed)
+    told = [event if isinstance(event, str) else event[0] for event in events]
+    assert told == [name for each in PASSES for name in (each, *sorted(scene.method[each].outputs))]

@@ -1,19 +1,24 @@
 import os
+from dataclasses import replace
 
 import imageio.v3 as imageio
 import numpy as np
 import pytest
 
-from sss_ref.errors import DumpError
+from sss_ref.errors import DumpError, RenderError
 from sss_ref.rendering.fold import render
 from sss_ref.results import folder as folder_module
-from sss_ref.results import whole_folder
+from sss_ref.results import saving, whole_folder
 from sss_ref.results.folder import read_buffer, save
 from sss_ref.scene.load import load_scene
 
 
 def files(folder):
     return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
+
+
+def contents(folder):
+    return {name: (folder / name).read_bytes() for name in files(folder)}
 
 
 def test_contents(result, saved):
@@ -33,10 +38,25 @@ def test_arrays_come_back_in_bits(result, saved):
 def test_only_what_was_kept(scene_file):
     scene = load_scene(scene_file)
     final = save(render(scene, keep="final"), scene_file.parent / "final")
-    assert files(final) == ["buffers.exr", "buffers/image.npy", "image.png", "manifest.json", "overview.png"]
+    assert files(final) == ["buffers.exr", "buffers/image.npy", "image.png", "manifest.json"]
     assert imageio.imread(final / "image.png").shape == (32, 48, 3)
     early = save(render(scene, interpreter="arrays", keep=["light_depth"]), scene_file.parent / "early")
     assert files(early) == ["buffers.exr", "buffers/light_depth.npy", "manifest.json", "overview.png"]
+
+
+def test_a_folder_filled_while_rendering_is_the_one_saved_afterwards(result, saved, tmp_path):
+    with folder_module.saving(tmp_path / "early", "kernel", 2) as files:
+        for name in list(result.buffers)[::2]:
+            files.take(name, result[name])
+        assert files.finish(replace(result)).hashes == result.hashes
+    assert contents(tmp_path / "early") == contents(saved)
+
+
+def test_a_rendering_that_fails_leaves_nothing(result, tmp_path):
+    with pytest.raises(RenderError), folder_module.saving(tmp_path / "out", None, None) as files:
+        files.take("image", result.image)
+        raise RenderError("not finite")
+    assert os.listdir(tmp_path) == []
 
 
 def test_a_halo_is_not_hidden_by_alpha(scene_file):
@@ -72,7 +92,7 @@ def test_failure_in_the_middle_changes_nothing(result, tmp_path, monkeypatch, ex
     def full_disk(*_, **__):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(folder_module, step, full_disk)
+    monkeypatch.setattr(saving, step, full_disk)
     with pytest.raises(DumpError, match=r"cannot be written \(No space left on device\); choose another folder"):
         save(result, tmp_path / "out")
     assert files(tmp_path) == before

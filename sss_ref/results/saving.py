@@ -1,0 +1,104 @@
+"""The files of a result, written by threads of their own: a buffer as soon as it is there, the others at the end."""
+
+import os
+from collections.abc import Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+
+from sss_ref.pictures.overview import write_overview
+from sss_ref.pictures.png_file import encoding_of, write_png
+from sss_ref.rendering.result import Result, buffer_hash
+from sss_ref.rendering.samples import SampledResult
+from sss_ref.results.exr_file import write_exr
+from sss_ref.results.manifest import FILE_NAME, manifest_of, package_version, scene_hash
+from sss_ref.rules import RULES_VERSION
+
+
+@dataclass(frozen=True)
+class Saving:
+    """A folder that is being filled.
+
+    pool: of the threads that write. interpreter, threads: what is rendered with, for the manifest.
+    """
+
+    folder: Path
+    pool: ThreadPoolExecutor
+    interpreter: str | None
+    threads: int | None
+    taken: dict[str, Future[str]] = field(default_factory=dict)
+
+    def take(self, name: str, buffer: np.ndarray) -> None:
+        """Begin to write and hash a buffer, which nobody changes any more."""
+        self.taken[name] = self.pool.submit(_write_buffer, self.folder, name, buffer)
+
+    def finish(self, result: Result) -> Result:
+        """Write all that is left, the manifest last; the result with its hashes. Raises what writing raises."""
+        tasks = [
+            self.pool.submit(_write_exr, result, self.folder),
+            self.pool.submit(_write_pictures, result, self.folder),
+        ]
+        for name in result.buffers:
+            if name not in self.taken:
+                self.take(name, result.buffers[name])
+        for task in tasks:
+            task.result()
+        hashed = replace(result, digests={name: task.result() for name, task in self.taken.items()})
+        manifest = manifest_of(hashed, self.interpreter, self.threads)
+        (self.folder / FILE_NAME).write_text(manifest.model_dump_json(indent=2) + "\n", encoding="utf-8")
+        return hashed
+
+
+@contextmanager
+def filling(folder: Path, interpreter: str | None, threads: int | None) -> Iterator[Saving]:
+    """What fills an empty folder; what has not begun yet when something goes wrong is not written."""
+    (folder / "buffers").mkdir()
+    pool = ThreadPoolExecutor(os.cpu_count())
+    try:
+        yield Saving(folder, pool, interpreter, threads)
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def shows_all(result: Result) -> bool:
+    """Whether `image.png` shows all that there is, so that there is no overview."""
+    return list(result.buffers) == ["image"]
+
+
+def _write_buffer(folder: Path, name: str, buffer: np.ndarray) -> str:
+    """Write a NPY file; the hash of the buffer."""
+    np.save(folder / "buffers" / f"{name}.npy", buffer.astype(buffer.dtype.newbyteorder("<"), copy=False))
+    return buffer_hash(name, buffer)
+
+
+def _write_exr(result: Result, folder: Path) -> None:
+    camera = result.scene.settings.camera
+    origin: dict[str, str | int] = {
+        "version": package_version(),
+        "rules_version": RULES_VERSION,
+        "scene_sha256": scene_hash(result.scene),
+    }
+    write_exr(folder / "buffers.exr", result.buffers, (camera.width, camera.height), origin)
+
+
+def _write_pictures(result: Result, folder: Path) -> None:
+    if "image" in result.buffers:
+        write_png(folder / "image.png", *_preview(result), encode=encoding_of(result.scene.settings))
+    if not shows_all(result):
+        write_overview(folder / "overview.png", result)
+
+
+def _preview(result: Result) -> tuple[np.ndarray, np.ndarray | None]:
+    """Colour and coverage of image.png; PNG wants the model's colour at its edges, without the background behind it.
+
+    A picture whose blur reaches beyond the model has no alpha: it would hide the halo.
+    """
+    settings = result.scene.settings
+    if settings.method == "screen_space" and settings.blur.mask == "none":
+        return result.image, None
+    if isinstance(result, SampledResult):
+        return result.foreground, result.coverage
+    return result.image, result.buffers.get("coverage")
