@@ -10,6 +10,7 @@ from pydantic.fields import FieldInfo
 from sss_ref.dump import mapping
 from sss_ref.scene_file import quantities, scattering, settings
 from sss_ref.scene_file.presets import PRESETS
+from sss_ref.scene_file.profiles import PROFILES
 
 WORDS = {  # how a reader calls the type of a value
     str: "text",
@@ -34,7 +35,7 @@ WORDS = {  # how a reader calls the type of a value
     scattering.Kernel: "one of "
     + ", ".join(f'`"{name}"`' for name in get_args(get_args(scattering.KernelName)[0]))
     + ", or an array of `[X, Y, r, g, b]`",
-    scattering.Profile: '`"skin"`, or an array of `[v, r, g, b]`',
+    scattering.Profile: "one of " + ", ".join(f'`"{name}"`' for name in PROFILES) + ", or an array of `[v, r, g, b]`",
     mapping.Part: "text or whole number",
     mapping.ChannelNames: "text of single letters, or an array of names",
     mapping.Shape: "`[height, width]` or `[height, width, channels]`",

@@ -1,23 +1,26 @@
-"""A scene in layers: the preset at the bottom, the file on it, the overrides on top."""
+"""A scene in layers: the preset at the bottom, the material on it, then the file, the overrides on top."""
 
 from collections.abc import Mapping
 from typing import Any
 
 from sss_ref.errors.wording import KeyPath, told
 from sss_ref.scene_file.presets import PRESETS, ROBUST_IN_MM
+from sss_ref.scene_file.substances import layer_of
 
 DEFAULT_PRESET = "paper"
 
 
 def filled(data: Mapping[str, Any]) -> dict[str, Any]:
-    """`data` on top of the preset it names; a preset nobody knows is left for validation to report.
+    """`data` on top of the material and the preset it names; what nobody knows is left for validation to report.
 
     What a preset has of lights lies below every light, and what it has of a perspective only below one.
     """
     name = data.get("preset", DEFAULT_PRESET)
     preset = PRESETS.get(name if isinstance(name, str) else DEFAULT_PRESET, PRESETS[DEFAULT_PRESET])
-    if name == "robust" and _is_in_mm(data):
+    in_mm = _is_in_mm(data)
+    if name == "robust" and in_mm:
         preset = laid(preset, ROBUST_IN_MM)
+    preset = laid(preset, layer_of(data.get("material"), in_mm))
     camera, lights = data.get("camera"), data.get("lights")
     if isinstance(camera, Mapping) and camera.get("type") == "orthographic":
         lens = {key: value for key, value in preset.get("camera", {}).items() if key != "fov_y"}

@@ -48,6 +48,7 @@ PRESETS: dict[str, dict[str, Any]] = {"paper": PAPER, "robust": ROBUST, "publish
 
 # Key -> its value in `published`, whose passes are fixed: there nothing else is possible.
 FIXED: dict[str, Any] = {
+    "material": None,
     "mesh.normal_map": None,
     "mesh.specular_map": None,
     "shadow_map.filter": "bilinear",

@@ -16,6 +16,7 @@ from sss_ref.scene_file.bundled import bundled_settings, is_bundle
 from sss_ref.scene_file.layers import filled, is_overridden, overridden, override_paths
 from sss_ref.scene_file.presets import misfits
 from sss_ref.scene_file.shipped import scene_names, scene_path
+from sss_ref.scene_file.substances import without_unit
 
 # Which model a table of the file has, by its keys: what is known there.
 TABLES: dict[KeyPath, type[BaseModel]] = {
@@ -78,25 +79,33 @@ def validated(
     """
     given, misplaced = overridden(document.data, overrides)
     data, paths = filled(given), override_paths(overrides)
-    problems = [f"override: {problem}" for problem in (*misplaced, *_other_preset(document, given))]
+    problems = [f"override: {problem}" for problem in (*misplaced, *_filled_before(document, given))]
     try:
         result = settings.SceneFile.model_validate(
             data, context={"folder": document.folder, "check_memory": check_memory}
         )
     except ValidationError as error:
         problems += _attributed(_problems_of(error), document.source, paths)
-    problems += _attributed(misfits(data), document.source, paths)
+    problems += _attributed([*misfits(data), *without_unit(given)], document.source, paths)
     if problems:
         raise SceneError("\n".join(problems))
     return result
 
 
-def _other_preset(document: Document, given: Mapping[str, Any]) -> list[str]:
-    """What is wrong with a preset for a bundle: it would fill nothing."""
-    if document.preset in (None, given.get("preset")):
+def _filled_before(document: Document, given: Mapping[str, Any]) -> list[str]:
+    """What is wrong with another preset or material for a bundle: it would fill nothing."""
+    if document.preset is None:
         return []
-    remedy = "bundle the scene with the other preset"
-    return [told("preset", f"{document.preset}, which filled this bundle", str(given.get("preset")), remedy)]
+    changed = [key for key in ("preset", "material") if given.get(key) != document.data.get(key)]
+    return [
+        told(
+            key,
+            f"{document.data.get(key)}, which filled this bundle",
+            str(given.get(key)),
+            f"bundle the scene with the other {key}",
+        )
+        for key in changed
+    ]
 
 
 def _problems_of(error: ValidationError) -> Iterator[tuple[KeyPath, str]]:

@@ -7,7 +7,7 @@ from pydantic import Discriminator, Field, Tag, ValidationInfo, field_validator
 
 from sss_ref.errors.wording import unmet
 from sss_ref.scene_file.kernels import KERNELS, Tap, channel_sums, normalized
-from sss_ref.scene_file.profiles import PROFILES, Gaussian
+from sss_ref.scene_file.profiles import PROFILES, Gaussian, MaterialName
 from sss_ref.scene_file.quantities import (
     LARGEST_SIZE,
     GaussianRow,
@@ -26,7 +26,7 @@ KernelName = Annotated[Literal["table1", "hbh09", "schoenberger"], Tag("name")]
 KernelTable = Annotated[tuple[TapRow, ...], Field(strict=False), requiring(len, "at least one row"), Tag("table")]
 Kernel = Annotated[KernelName | KernelTable, Discriminator(lambda value: "name" if isinstance(value, str) else "table")]
 Profile = Annotated[
-    Annotated[Literal["skin"], Tag("name")]
+    Annotated[MaterialName, Tag("name")]
     | Annotated[
         tuple[GaussianRow, ...],
         Field(strict=False),
@@ -60,7 +60,7 @@ class TranslucencySettings(Table):
     d_min: OneOrThree[PositiveOrZero]
     """Smallest thickness that T is computed from, scene units."""
     gaussians: Profile = "skin"
-    """Of form gaussians: the name of a published sum, or rows [v, red, green, blue], v in mm^2 and the weights w."""
+    """Of form gaussians: the name of a material, or rows [v, red, green, blue]: v in mm^2, and w for each channel."""
 
     @property
     def by_channel(self) -> bool:

@@ -11,6 +11,7 @@ from pydantic import Discriminator, Field, Tag, ValidationInfo, field_validator
 
 from sss_ref.errors.wording import unmet
 from sss_ref.scene_file.color_texture import texture_size
+from sss_ref.scene_file.profiles import MaterialName
 from sss_ref.scene_file.quantities import (
     Color,
     Count,
@@ -161,6 +162,9 @@ class SceneFile(Table):
     """Where the light is diffused: in the image (paper 2.1) or on the surface (paper 2.2)."""
     preset: Literal["paper", "robust", "published"] = "paper"
     """What fills the keys that are not given; published also has passes of its own."""
+    material: MaterialName | None = None
+    """What the body is made of: fills in colour, highlight, translucency and blur, by its measure in mm where these
+    keys are not given. Needs mm_per_unit; not with preset published."""
     mm_per_unit: Positive = 1.0
     """Millimetres per scene unit: for lengths in mm. T of x, y and d_min depends on the unit and is never converted."""
     mesh: MeshSettings

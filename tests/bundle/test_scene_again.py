@@ -169,6 +169,11 @@ def test_a_preset_for_a_bundle_is_refused(bundle, tmp_path):
     assert sss_ref.load_scene(bundle, preset="robust").settings.preset == "robust"
 
 
+def test_a_material_for_a_bundle_is_refused(bundle):
+    with pytest.raises(SceneError, match=r"^override: material: expected None, which filled this bundle, got wax; "):
+        sss_ref.load_scene(bundle, material="wax")
+
+
 def test_a_mesh_that_is_not_whole_is_refused_by_name(bundle, tmp_path):
     folder = spoiled(bundle, tmp_path / "b", "mesh/uv.npy", lambda path: path.unlink())
     with pytest.raises(

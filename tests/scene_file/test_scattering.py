@@ -36,13 +36,9 @@ def test_terms_of_a_sum_of_gaussians():
     assert TranslucencySettings(**ONE).terms == SKIN
     own = TranslucencySettings(**ONE, gaussians=[[2, 1, 0.5, -0.5]])
     assert own.terms == ((2, 1, 0.5, -0.5),)
-    for wrong in ([], [[0, 1, 1, 1]], [[1, 1, 1]], [[1, 1, 1, 1]] * 65, "milk"):
+    for wrong in ([], [[0, 1, 1, 1]], [[1, 1, 1]], [[1, 1, 1, 1]] * 65, "water"):
         with pytest.raises(ValidationError):
             TranslucencySettings(**ONE, gaussians=wrong)
-
-
-def test_skin_lets_all_light_leave_again():
-    assert [round(sum(column), 12) for column in list(zip(*SKIN, strict=True))[1:]] == [1, 1, 1]
 
 
 def test_kernels_sum_to_what_their_authors_printed():

@@ -6,6 +6,7 @@ from sss_ref.scene_file.settings import MeshSettings, SceneFile
 
 COMMON = {
     "method": "screen_space",
+    "material": None,
     "mm_per_unit": 1.0,
     "mesh": {
         "path": "tetrahedron",
