@@ -21,7 +21,7 @@ from sss_ref.scene.surface_maps import normal_map_of, specular_map_of
 from sss_ref.scene.surprises import surprises
 from sss_ref.scene_file.quantities import FLOAT32_OVERFLOW
 from sss_ref.scene_file.reading import Document, opened, validated
-from sss_ref.scene_file.settings import MeshSettings, SceneFile, ShadowMap
+from sss_ref.scene_file.settings import SceneFile, ShadowMap
 from sss_ref.scene_file.shipped import find_mesh
 from sss_ref.scene_file.viewpoints import Camera, PointLight
 from sss_ref.view.light_fit import AnyLight, fitted, placed
@@ -39,17 +39,27 @@ def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any], /, **overrides
     load_scene("default", preset="robust", **{"camera.width": 256, "lights.0.intensity": 2.0}).
     Raises SceneError, which lists all that is wrong with the file and the overrides, and MeshError.
     """
-    document = opened(scene)
+    return scene_of(opened(scene), overrides)
+
+
+def read_mesh(path: Path, unwrap: bool, tangents: bool) -> Mesh:
+    """The mesh in a file, with UVs made for it and tangents where they are asked for. Raises MeshError."""
+    mesh = unwrapped(load_mesh(path)) if unwrap else load_mesh(path)
+    return with_tangents(mesh) if tangents and mesh.uvs is not None else mesh
+
+
+def scene_of(
+    document: Document, overrides: Mapping[str, Any], read: Callable[[Path, bool, bool], Mesh] = read_mesh
+) -> Scene:
+    """The scene of a document, with overrides on top; raises as `load_scene` does.
+
+    read: what gives its mesh: `read_mesh`, or for many scenes one that remembers what it has given.
+    """
     settings = validated(document, overrides, check_memory)
-    return _assembled(settings, document, _mesh_of(settings.mesh, document.folder))
-
-
-def _mesh_of(settings: MeshSettings, folder: Path) -> Mesh:
-    """The mesh that a scene in a folder asks for, with UVs and tangents where it asks for them."""
-    path = find_mesh(settings.path, folder)
+    place = settings.mesh
+    path = find_mesh(place.path, document.folder)
     assert path is not None  # validation found it
-    mesh = unwrapped(load_mesh(path)) if settings.unwrap else load_mesh(path)
-    return with_tangents(mesh) if settings.normal_map and mesh.uvs is not None else mesh
+    return _assembled(settings, document, read(path, place.unwrap, place.normal_map is not None))
 
 
 def _assembled(settings: SceneFile, document: Document, mesh: Mesh) -> Scene:
