@@ -38,7 +38,7 @@ class Saving:
     def finish(self, result: Result) -> Result:
         """Write all that is left, the manifest last; the result with its hashes. Raises what writing raises."""
         tasks = [
-            self.pool.submit(_write_exr, result, self.folder),
+            self.pool.submit(write_buffers_exr, result, self.folder),
             self.pool.submit(_write_pictures, result, self.folder),
         ]
         for name in result.buffers:
@@ -74,7 +74,8 @@ def _write_buffer(folder: Path, name: str, buffer: np.ndarray) -> str:
     return buffer_hash(name, buffer)
 
 
-def _write_exr(result: Result, folder: Path) -> None:
+def write_buffers_exr(result: Result, folder: Path) -> None:
+    """Write the buffers of a rendering as `buffers.exr` into a folder."""
     camera = result.scene.settings.camera
     origin: dict[str, str | int] = {
         "version": package_version(),
@@ -86,12 +87,12 @@ def _write_exr(result: Result, folder: Path) -> None:
 
 def _write_pictures(result: Result, folder: Path) -> None:
     if "image" in result.buffers:
-        write_png(folder / "image.png", *_preview(result), encode=encoding_of(result.scene.settings))
+        write_png(folder / "image.png", *preview(result), encode=encoding_of(result.scene.settings))
     if not shows_all(result):
         write_overview(folder / "overview.png", result)
 
 
-def _preview(result: Result) -> tuple[np.ndarray, np.ndarray | None]:
+def preview(result: Result) -> tuple[np.ndarray, np.ndarray | None]:
     """Colour and coverage of image.png; PNG wants the model's colour at its edges, without the background behind it.
 
     A picture whose blur reaches beyond the model has no alpha: it would hide the halo.
