@@ -3,6 +3,7 @@
 from cyclopts import App, CycloptsError
 from rich.markup import escape
 
+from sss_ref.cli.batch_commands import batch
 from sss_ref.cli.comparing import diff, verify
 from sss_ref.cli.console import BAD_INPUT, err
 from sss_ref.cli.explaining import explain
@@ -24,7 +25,7 @@ def _version() -> str:
 
 
 app = App(name="sss-ref", help=PURPOSE, version=_version, result_action="return_value")
-for command in (init, render, verify, diff, explain, glsl, bundle, webgl, validate, info, scenes, warmup):
+for command in (init, render, batch, verify, diff, explain, glsl, bundle, webgl, validate, info, scenes, warmup):
     app.command(command)
 app.command("sss_ref.cli.mapping_command:mapping", name="mapping", help=MAPPING)  # loaded when asked for
 
@@ -32,7 +33,7 @@ app.command("sss_ref.cli.mapping_command:mapping", name="mapping", help=MAPPING)
 def main(tokens: list[str] | None = None) -> int:
     """Run the command line; returns the exit code.
 
-    0, or 1 where `verify`, `diff` or `validate` finds a difference, or 2 for bad input.
+    0, or 1 where `verify`, `diff` or `validate` finds a difference or an item of `batch` failed, or 2 for bad input.
     """
     try:
         return app(tokens, exit_on_error=False, error_console=err) or 0

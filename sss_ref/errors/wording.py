@@ -17,6 +17,7 @@ FOUND_BY_TYPE = {
     "string_type": ("a text", "put it in double quotes"),
     "bool_type": ("true or false", "write it without quotes"),
     "tuple_type": ("an array", "put the values in brackets, separated by commas"),
+    "list_type": ("an array", "put the values in brackets, separated by commas"),
     "too_long": ("{max_length} values", "remove the others"),
     "literal_error": ("{expected}", "choose one of these"),
     "union_tag_invalid": ("a type {expected_tags}", "choose one of these"),

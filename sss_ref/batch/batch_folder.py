@@ -1,0 +1,63 @@
+"""The folder of a batch, and batch.json in it, which says what every item has: two sweeps may share a folder."""
+
+import os
+import tempfile
+from pathlib import Path
+from typing import Final, Literal
+
+from pydantic import ValidationError
+
+from sss_ref.batch.sweep_file import Sweep
+from sss_ref.errors import DumpError
+from sss_ref.errors.text_file import text_of
+from sss_ref.errors.wording import told
+from sss_ref.results.manifest import Record
+from sss_ref.results.whole_folder import writable
+
+BATCH: Final = "batch.json"
+
+
+class BatchRecord(Record):
+    """batch.json."""
+
+    format: Literal["sss_ref batch 1"] = "sss_ref batch 1"
+    outputs: list[str]
+    keep: list[str]
+
+
+def claim(folder: Path, sweep: Sweep) -> Path:
+    """Make a folder that of a batch, or go on with one; returns the absolute path.
+
+    Raises DumpError where it has other files, or items with other outputs or buffers.
+    """
+    folder = writable(folder, lambda found: (found / BATCH).is_file(), "an earlier batch")
+    wanted = BatchRecord(outputs=sorted(sweep.outputs), keep=sorted(sweep.keep))
+    if not (folder / BATCH).is_file():
+        folder.mkdir(parents=True, exist_ok=True)
+        write_whole(folder / BATCH, wanted.model_dump_json(indent=2) + "\n")
+    found = _read(folder / BATCH)  # that of another process where two begin at once
+    if found != wanted:
+        expected, came = (f"outputs {each.outputs} and keep {each.keep}" for each in (found, wanted))
+        raise DumpError(told(str(folder), f"{expected}, as the items there have", came, "choose another folder"))
+    return folder
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Write a text file that is there as a whole or not at all. Raises DumpError."""
+    try:
+        number, hidden = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+        with os.fdopen(number, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+        os.replace(hidden, path)
+    except OSError as error:
+        raise DumpError(f"{path}: cannot be written ({error.strerror}); choose another folder") from None
+
+
+def _read(path: Path) -> BatchRecord:
+    text = text_of(path, "the record of a batch", DumpError)
+    try:
+        return BatchRecord.model_validate_json(text)
+    except ValidationError:
+        raise DumpError(
+            told(str(path), "what sss-ref batch writes", "something else", "choose another folder")
+        ) from None

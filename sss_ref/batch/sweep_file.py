@@ -1,0 +1,119 @@
+"""The sweep file: a scene, what is set in it for all items, and what its keys take in turn. Every key explained here.
+
+scene = "bust.toml"
+outputs = ["png"]
+[set]
+camera.width = 256
+[vary]
+camera.azimuth = {first = 0, last = 330, count = 12}
+lights.0.intensity = [0.5, 1.0]
+"""
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, Field, ValidationError
+
+from sss_ref.batch import draws
+from sss_ref.errors import SceneError
+from sss_ref.errors.text_file import toml_of
+from sss_ref.errors.wording import described
+from sss_ref.scene_file.quantities import Table, requiring
+from sss_ref.scene_file.shipped import scene_names
+
+OutputName = Literal["png", "npz", "exr"]
+Outputs = Annotated[
+    tuple[OutputName, ...],
+    Field(strict=False),
+    requiring(lambda names: len(set(names)) == len(names) > 0, "one or several outputs, each once"),
+]
+Names = Annotated[tuple[str, ...], Field(strict=False), requiring(len, "at least one name")]
+Varied = Annotated[dict[str, draws.Values], requiring(len, "at least one key to vary", "add it")]
+
+
+class Sweep(Table):
+    """The whole file. In [set] and [vary] keys are written as in a scene file; lights.0 is the first light."""
+
+    scene: str = "default"
+    """A scene file or a bundle, relative to the sweep file, or the name of a shipped scene."""
+    combine: Literal["grid", "zip"] = "grid"
+    """grid: every value of a key with every value of the others, the last key fastest; zip: the first value of all
+    keys, then the second, and so on. Random keys are drawn anew for every item."""
+    repeat: Annotated[int, requiring(lambda n: 1 <= n <= 10**9, "a whole number from 1 to 10^9")] = 1
+    """How often the grid is gone through, for keys that are drawn at random."""
+    seed: Annotated[int, requiring(lambda n: n >= 0, "a whole number >= 0")] = 0
+    """Of the random keys."""
+    outputs: Outputs = ("png",)
+    """png: image.png. npz: buffers.npz, row 0 at the bottom. exr: buffers.exr, a part for each buffer."""
+    keep: Names = ("final",)
+    """Names of the buffers that are kept and hashed, or "final", the image, or "all"."""
+    set: dict[str, Any] = Field(default_factory=dict)
+    """One value for all items."""
+    vary: Varied
+    """Of each key an array of values; or {first, last, count}, evenly spaced; or {random = "uniform", low, high},
+    "log_uniform" or "integer" likewise, {random = "choice", values}, {random = "sphere", radius, center}."""
+
+
+TABLES: dict[str, type[BaseModel]] = {
+    "spaced": draws.Spaced,
+    "uniform": draws.Uniform,
+    "log_uniform": draws.LogUniform,
+    "integer": draws.Whole,
+    "choice": draws.Choice,
+    "sphere": draws.OnSphere,
+}
+
+
+def read_sweep(path: Path) -> Sweep:
+    """The sweep in a file, its scene's path made absolute. Raises SceneError, which lists all that is wrong."""
+    data = toml_of(path, "a sweep file", SceneError)
+    sweep = checked_sweep(data, str(path))
+    if sweep.scene in scene_names():
+        return sweep
+    return sweep.model_copy(update={"scene": str((path.parent / sweep.scene).absolute())})
+
+
+def checked_sweep(data: Mapping[str, Any], source: str) -> Sweep:
+    """The sweep in tables as a file has them. source: what messages call it. Raises SceneError."""
+    given = dict(data)
+    for name, is_whole in (("set", _is_plain), ("vary", _is_values)):
+        if isinstance(given.get(name), Mapping):
+            given[name] = dict(_dotted(given[name], is_whole))
+    try:
+        return Sweep.model_validate(given)
+    except ValidationError as error:
+        raise SceneError("\n".join(f"{source}: {problem}" for problem in _problems(error))) from None
+
+
+def _dotted(table: Mapping[str, Any], is_whole: Any, prefix: str = "") -> Iterator[tuple[str, Any]]:
+    """Dotted key and value of everything in nested tables, down to what is whole."""
+    for key, value in table.items():
+        if isinstance(value, Mapping) and not is_whole(value):
+            yield from _dotted(value, is_whole, f"{prefix}{key}.")
+        else:
+            yield f"{prefix}{key}", value
+
+
+def _is_plain(table: Mapping[str, Any]) -> bool:
+    """Whether a table can be laid on the scene as it is: nothing in it is the place of a light."""
+    return not any(
+        key.isdecimal() or (isinstance(value, Mapping) and not _is_plain(value)) for key, value in table.items()
+    )
+
+
+def _is_values(table: Mapping[str, Any]) -> bool:
+    """Whether a table says which values a key takes: no key of a scene has such a name."""
+    return bool({"random", "first", "last", "count"} & set(table))
+
+
+def _problems(error: ValidationError) -> Iterator[str]:
+    for details in error.errors():
+        place, known = details["loc"], Sweep.model_fields
+        if len(place) > 3 and place[0] == "vary":  # pydantic inserts the name of the form
+            known = TABLES[str(place[2])].model_fields
+        elif place[0] == "vary":
+            known = {}
+        shortened = details.copy()
+        shortened["loc"] = (*place[:2], *place[3:]) if place[0] == "vary" else place
+        yield described(shortened, known)[1]

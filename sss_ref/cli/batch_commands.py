@@ -1,0 +1,107 @@
+"""`sss-ref batch`."""
+
+import os
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter
+from rich.markup import escape
+
+from sss_ref.cli.console import announce_compilation, err, out
+from sss_ref.cli.options import KERNELS, Execution
+from sss_ref.errors import SceneError
+
+if TYPE_CHECKING:
+    from sss_ref.batch.executors import ItemExecutor
+    from sss_ref.batch.run import Batch
+    from sss_ref.batch.workshop import ItemOutcome
+
+SOME_FAILED = 1  # exit code
+SHOWN_ITEMS = 5  # numbers of items that are told of one failure
+TENTHS = 10  # how often progress is told where there is no terminal
+
+
+def batch(
+    sweep: Annotated[Path, Parameter(help="A sweep file.")],
+    *,
+    output: Annotated[Path, Parameter(alias="-o", help="The batch's folder; an earlier batch there goes on.")] = Path(
+        "batch"
+    ),
+    jobs: Annotated[
+        int | None, Parameter(show_default=False, help="How many items are rendered at once; one per processor.")
+    ] = None,
+    shard: Annotated[
+        str | None, Parameter(show_default=False, help="Render this part of the items alone, such as 3/10.")
+    ] = None,
+    execution: Execution = KERNELS,
+) -> int:
+    """Render a scene with many values of its keys, item by item; what is there already is not rendered again.
+
+    Exit code 1 if an item failed; the others are rendered all the same.
+    """
+    from sss_ref.batch.plan import WHOLE, Plan, Shard
+    from sss_ref.batch.run import BatchExecution, run
+    from sss_ref.batch.sweep_file import read_sweep
+
+    wanted = read_sweep(sweep)
+    part = Shard.parsed(shard) if shard else WHOLE
+    items = len(part.of(len(Plan(wanted))))
+    announce_compilation(execution)
+    executor, threads = _executor(jobs, items, execution.threads)
+    with _progress(items) as tell:
+        done = run(wanted, output, BatchExecution(executor, execution.interpreter, threads), part, tell)
+    return _told(done)
+
+
+def _executor(jobs: int | None, items: int, threads: int | None) -> "tuple[ItemExecutor, int | None]":
+    """The executor for so many jobs, and the threads of each: of several jobs one, unless told otherwise."""
+    from sss_ref.batch.executors import in_processes, serially
+
+    if jobs is not None and jobs < 1:
+        raise SceneError(f"--jobs: expected at least 1, got {jobs}; leave it out for one per processor")
+    count = min(jobs or os.cpu_count() or 1, items)
+    return (in_processes(count), threads or 1) if count > 1 else (serially, threads)
+
+
+@contextmanager
+def _progress(items: int) -> "Iterator[Callable[[ItemOutcome], None]]":
+    """Tell how far it is and how long it will take: on a terminal by a bar, elsewhere by a line at every tenth."""
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+    columns = (
+        TextColumn("items"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeRemainingColumn(),
+        TextColumn("{task.fields[failed]}"),
+    )
+    with Progress(*columns, console=err, disable=not err.is_terminal) as shown:
+        task, failed = shown.add_task("items", total=items, failed=""), 0
+
+        def tell(outcome: "ItemOutcome") -> None:
+            nonlocal failed
+            failed += outcome.state == "failed"
+            shown.update(task, advance=1, failed=f"{failed} failed" if failed else "")
+            done, left = int(shown.tasks[0].completed), shown.tasks[0].time_remaining
+            if shown.disable and done * TENTHS // items > (done - 1) * TENTHS // items:
+                err.print(f"{done} of {items} items, {failed} failed" + (f", about {left:.0f} s left" if left else ""))
+
+        yield tell
+
+
+def _told(done: "Batch") -> int:
+    """Print what failed, each message once, and what there is; the exit code."""
+    failed = done.of_state("failed")
+    for message, count in Counter(each.message for each in failed).items():
+        items = [str(each.item) for each in failed if each.message == message]
+        more = f" and {count - SHOWN_ITEMS} more" if count > SHOWN_ITEMS else ""
+        err.print(f"[red]failed: item {', '.join(items[:SHOWN_ITEMS])}{more}:[/] {escape(message)}")
+    states = ", ".join(f"{len(done.of_state(state))} {said}" for state, said in STATES.items())
+    out.print(f"{states}: {escape(str(done.tables[0]))}")
+    return SOME_FAILED if failed else 0
+
+
+STATES = {"rendered": "rendered", "there": "were there", "failed": "failed"}

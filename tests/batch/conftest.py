@@ -1,0 +1,1 @@
+from data_folder import data_folder  # noqa: F401

@@ -1,0 +1,70 @@
+import pytest
+
+from sss_ref.batch.sweep_file import checked_sweep, read_sweep
+from sss_ref.errors import SceneError
+
+TEXT = """
+scene = "head.toml"
+outputs = ["npz", "png"]
+[set]
+camera.width = 64
+lights.0.color = [1, 0, 0]
+output = {background = [0, 0, 1]}
+[vary]
+"camera.height" = [32, 64]
+camera.azimuth = {first = 0, last = 90, count = 3}
+lights.1.intensity = {random = "uniform", low = 0, high = 2}
+camera.target = [[0, 0, 0], [0, 1, 0]]
+"""
+
+
+def test_keys_are_written_as_in_a_scene_file(tmp_path):
+    (tmp_path / "sweep.toml").write_text(TEXT)
+    sweep = read_sweep(tmp_path / "sweep.toml")
+    assert sweep.scene == str(tmp_path / "head.toml")
+    assert sweep.set == {"camera": {"width": 64}, "lights.0": {"color": [1, 0, 0]}, "output": {"background": [0, 0, 1]}}
+    assert list(sweep.vary) == [
+        "camera.height",
+        "camera.azimuth",
+        "camera.target",
+        "lights.1.intensity",
+    ]  # as TOML nests
+    assert sweep.vary["camera.azimuth"].count == 3
+    assert (sweep.outputs, sweep.keep, sweep.combine) == (("npz", "png"), ("final",), "grid")
+
+
+def test_a_shipped_scene_stays_a_name(tmp_path):
+    (tmp_path / "sweep.toml").write_text('scene = "small"\nvary.preset = ["paper"]')
+    assert read_sweep(tmp_path / "sweep.toml").scene == "small"
+
+
+@pytest.mark.parametrize(
+    "data, message",
+    [
+        ({}, "sweep: vary: expected a value, got nothing; add it"),
+        ({"vary": {}}, "sweep: vary: expected at least one key to vary, got {}; add it"),
+        ({"vary": {"a": 3}}, 'sweep: vary.a: expected an array'),
+        ({"vary": {"a": []}}, "sweep: vary.a: expected 1 to 1000000 values, got []; choose another value"),
+        ({"vary": {"a": {"random": "dice"}}}, 'sweep: vary.a: expected a type "list", "spaced", "uniform"'),
+        ({"vary": {"a": {"random": "uniform", "low": 0}}}, "sweep: vary.a.high: expected a value, got nothing; add it"),
+        ({"vary": {"a": {"random": "uniform", "hihg": 0}}}, "hihg: expected a known key, got this one; did you"),
+        ({"vary": {"a": {"first": 0, "last": 1, "count": 1}}}, "vary.a.count: expected a whole number from 2 to"),
+        ({"vary": {"a": {"first": 0, "last": 1}}}, "sweep: vary.a.count: expected a value, got nothing"),
+        ({"vary": {"a": [1]}, "outputs": []}, "sweep: outputs: expected one or several outputs, each once, got []"),
+        ({"vary": {"a": [1]}, "outputs": ["png", "png"]}, "sweep: outputs: expected one or several outputs, each once"),
+        ({"vary": {"a": [1]}, "outputs": ["jpg"]}, 'sweep: outputs[0]: expected "png", "npz" or "exr", got "jpg"'),
+        ({"vary": {"a": [1]}, "repeat": 0}, "sweep: repeat: expected a whole number from 1 to 10^9, got 0"),
+        ({"vary": {"a": [1]}, "seed": -1}, "sweep: seed: expected a whole number >= 0, got -1"),
+        ({"vary": {"a": [1]}, "combin": "zip"}, "combin: expected a known key, got this one; did you"),
+        ({"vary": {"a": [1]}, "set": 3}, "sweep: set: expected a table"),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_told_by_key(data, message):
+    with pytest.raises(SceneError) as caught:
+        checked_sweep(data, "sweep")
+    assert message in str(caught.value)
+
+
+def test_a_file_that_is_not_there(tmp_path):
+    with pytest.raises(SceneError, match=r"no.toml: expected a sweep file, got No such file"):
+        read_sweep(tmp_path / "no.toml")

@@ -1,0 +1,103 @@
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+
+from sss_ref.batch.executors import serially
+from sss_ref.cli import batch_commands, main
+from sss_ref.cli.batch_commands import _executor
+
+SWEEP = """
+scene = "scene.toml"
+set = {camera = {width = 32, height = 24}, shadow_map = {width = 32, height = 32}}
+[vary]
+camera.fov_y = [30, 400, 40, 500, 400]
+"""
+SCENE = """
+mesh = {path = "sphere"}
+camera = {type = "orbit", distance = 5}
+lights = [{position = [0, 0, 9]}]
+"""
+
+
+@pytest.fixture
+def sweep(tmp_path, monkeypatch):
+    (tmp_path / "scene.toml").write_text(SCENE)
+    (tmp_path / "sweep.toml").write_text(SWEEP)
+    monkeypatch.chdir(tmp_path)
+    return "sweep.toml"
+
+
+def test_a_failing_item_is_told_at_the_end_and_the_rest_is_done(sweep, tmp_path, capsys):
+    assert main(["batch", sweep, "-o", "out", "--jobs", "1", "--interpreter", "arrays"]) == 1
+    told = capsys.readouterr()
+    lines = told.err.splitlines()
+    assert lines[-2].startswith("failed: item 1, 4: override: camera.fov_y: expected an angle between 0 and 180")
+    assert lines[-1].startswith("failed: item 3: override: camera.fov_y:")
+    assert re.fullmatch(r"5 of 5 items, 3 failed", lines[-3])
+    assert told.out == f"2 rendered, 0 were there, 3 failed: {tmp_path / 'out' / 'items.csv'}\n"
+    assert (tmp_path / "out" / "items.csv").read_text().count("\n") == 6
+
+
+def test_a_second_run_renders_what_is_missing(sweep, tmp_path, capsys):
+    (tmp_path / sweep).write_text(SWEEP.replace("400", "50").replace("500", "60"))
+    assert main(["batch", sweep, "-o", "out", "--interpreter", "arrays", "--shard", "1/2", "--jobs", "1"]) == 0
+    assert capsys.readouterr().out.startswith("3 rendered, 0 were there, 0 failed: ")
+    assert main(["batch", sweep, "-o", "out", "--interpreter", "arrays", "--jobs", "1"]) == 0
+    assert capsys.readouterr().out.startswith("1 rendered, 4 were there, 0 failed: ")  # item 4 is item 1 again
+    assert {"items-1-of-2.csv", "items.csv"} < {*os.listdir("out")}
+
+
+def test_several_processes_have_one_thread_each_unless_told_otherwise():
+    assert _executor(1, 10, None) == (serially, None)
+    assert _executor(4, 1, 3) == (serially, 3)
+    assert _executor(4, 10, None)[1] == 1 and _executor(4, 10, 2)[1] == 2
+    assert _executor(4, 10, None)[0] is not serially
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        (["no.toml"], "no.toml: expected a sweep file, got No such file or directory; check the path"),
+        (["sweep.toml", "--jobs", "0"], "--jobs: expected at least 1, got 0; leave it out for one per processor"),
+        (["sweep.toml", "--shard", "3/2"], "--shard: expected NUMBER/COUNT, NUMBER from 1 to COUNT, got '3/2'"),
+        (["sweep.toml", "-o", "."], "expected a new folder, an empty one or an earlier batch, got other files"),
+    ],
+)
+def test_bad_input_is_told_in_one_message(sweep, capsys, arguments, message):
+    assert main(["batch", *arguments]) == 2
+    told = capsys.readouterr()
+    assert message in " ".join(told.err.split()) and told.out == "" and "Traceback" not in told.err
+    assert sorted(os.listdir()) == ["scene.toml", "sweep.toml"]
+
+
+def test_progress_is_told_at_every_tenth_where_there_is_no_terminal(capsys):
+    from sss_ref.batch.workshop import ItemOutcome
+
+    with batch_commands._progress(40) as tell:
+        for item in range(40):
+            tell(ItemOutcome(item, "rendered"))
+    lines = capsys.readouterr().err.splitlines()
+    assert [line.split(",")[0] for line in lines] == [f"{4 * tenth} of 40 items" for tenth in range(1, 11)]
+    assert re.fullmatch(r"36 of 40 items, 0 failed, about \d+ s left", lines[-2])
+
+
+def test_it_runs_as_a_command_with_processes(sweep, tmp_path):
+    command = [
+        sys.executable,
+        "-m",
+        "sss_ref.cli",
+        "batch",
+        sweep,
+        "-o",
+        "out",
+        "--jobs",
+        "2",
+        "--interpreter",
+        "arrays",
+    ]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 1, done.stderr
+    assert done.stdout.startswith("2 rendered, 0 were there, 3 failed: ")
