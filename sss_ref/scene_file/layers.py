@@ -6,6 +6,7 @@ from typing import Any
 from sss_ref.errors.wording import KeyPath, told
 from sss_ref.scene_file.presets import PRESETS, ROBUST_IN_MM
 from sss_ref.scene_file.substances import layer_of
+from sss_ref.scene_file.viewpoints import ORBIT
 
 DEFAULT_PRESET = "paper"
 
@@ -55,15 +56,37 @@ def laid(lower: Any, upper: Any) -> Any:
 def overridden(data: Mapping[str, Any], overrides: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
     """`data` with each override laid on it, and the problems found on the way.
 
-    overrides: key path -> value, such as "camera.width", "lights.0.intensity" or a table under its name.
+    overrides: key path -> value, such as "camera.width", "lights.0.intensity" or a table under its name. A light that
+    they place on an orbit loses the position that it has in `data`, and the other way round.
     """
-    result, problems = dict(data), []
+    result, problems = _without_old_places(data, override_paths(overrides)), []
     for key, value in overrides.items():
         try:
             result = _placed(result, key.split("."), value)
         except LookupError as error:
             problems.append(told(key, error.args[0], error.args[1], "correct it"))
     return result, problems
+
+
+def _without_old_places(data: Mapping[str, Any], paths: set[KeyPath]) -> dict[str, Any]:
+    """`data`, of its lights only the keys of a place that go with the places that overrides of these paths give."""
+    lights = data.get("lights")
+    if not isinstance(lights, list | tuple):
+        return dict(data)
+    kept = [
+        _without_old_place(light, {path[2] for path in paths if path[:2] == ("lights", number) and len(path) > 2})
+        for number, light in enumerate(lights)
+    ]
+    return {**data, "lights": kept}
+
+
+def _without_old_place(light: Any, given: set[str | int]) -> Any:
+    replaced: set[str] = set()
+    if "position" in given and not given & set(ORBIT):
+        replaced = set(ORBIT)
+    elif given & {"azimuth", "elevation"} and "position" not in given:
+        replaced = {"position"}
+    return {key: value for key, value in light.items() if key not in replaced} if isinstance(light, Mapping) else light
 
 
 def override_paths(overrides: Mapping[str, Any]) -> set[KeyPath]:

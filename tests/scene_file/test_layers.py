@@ -54,6 +54,25 @@ def test_overrides_by_dotted_key_and_as_tables():
     assert data == {"camera": {"width": 1, "height": 2}, "lights": [{"intensity": 1.0}]}
 
 
+def test_a_place_that_is_overridden_replaces_the_other_way_to_say_it():
+    orbit, point = {"azimuth": 1, "distance": 2, "color": 3}, {"position": 4, "color": 3}
+    data = {"lights": [orbit, point, 7]}
+
+    def lights(**overrides):
+        result, problems = overridden(data, overrides)
+        assert problems == []
+        return result["lights"][:2]
+
+    assert lights(**{"lights.0.position": 5}) == [{"color": 3, "position": 5}, point]
+    assert lights(**{"lights.1.elevation": 5, "lights.1": {"distance": 6}}) == [
+        orbit,
+        {"color": 3, "elevation": 5, "distance": 6},
+    ]
+    assert lights(**{"lights.0.distance": 5, "lights.1.color": 6}) == [{**orbit, "distance": 5}, {**point, "color": 6}]
+    assert lights(**{"lights.0.position": 5, "lights.0.azimuth": 6}) == [{**orbit, "azimuth": 6, "position": 5}, point]
+    assert data == {"lights": [orbit, point, 7]}
+
+
 def test_override_beyond_the_list():
     _, problems = overridden({"lights": [{}]}, {"lights.1.intensity": 2.0, "lights.first": 1})
     assert problems == [
