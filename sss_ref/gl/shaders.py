@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from moderngl import Context, Program
 
 GLSL_SOURCE = "GLSL source"
+SAMPLER = re.compile(r"^uniform \w*sampler2D", re.MULTILINE)
 Files = str | PathLike[str] | Sequence[str | PathLike[str]]
 OUTPUT = re.compile(rf"layout\s*\(\s*location\s*=\s*(\d+)\s*\)\s*(?:precise\s+)?out\s+\w+\s+{OUT}(\w+)\s*;")
 
@@ -39,7 +40,17 @@ class ShaderPair:
         try:
             return context.program(vertex_shader=self.vertex, fragment_shader=self.fragment)
         except moderngl.Error as error:
+            self.check_units(context.info["GL_MAX_TEXTURE_IMAGE_UNITS"])
             raise ShaderError(f"{self.name}: expected shaders that compile and link, got {error}") from None
+
+    def check_units(self, units: int) -> None:
+        """Raise ShaderError if the fragment shader reads more textures than the units that OpenGL has for them."""
+        textures = len(SAMPLER.findall(self.fragment))
+        if textures > units:
+            raise ShaderError(
+                f"{self.name}: expected at most {units} textures, as this OpenGL has units for, got {textures}; "
+                "draw fewer lights, each of which has a shadow map"
+            )
 
 
 def own_shaders(

@@ -237,6 +237,14 @@ def test_a_vertex_shader_that_does_not_compile_is_named(ours, tmp_path):
         draw(scene, {"camera": path})
 
 
+def test_more_lights_than_opengl_has_textures_for(tmp_path):
+    data = around("teaching", 16)
+    with pytest.raises(
+        ShaderError, match=r"^camera_\d+: expected at most \d+ textures, .*, got 128; draw fewer lights"
+    ):
+        draw(load_scene({**data, "lights": data["lights"] * 64}))
+
+
 def test_a_second_vertex_shader_is_refused(ours, tmp_path):
     scene, _ = ours
     with pytest.raises(

@@ -10,6 +10,7 @@ from sss_ref.passes.shadow_map import BackPoint
 from sss_ref.rendering.fold import render
 from sss_ref.scene import load_scene
 from sss_ref.scene.own_stage import with_stage
+from sss_ref.validation.stage_by_stage import validate
 
 BELOW = {"type": "directional", "position": [0, 0, -9], "target": [0, 0, 0], "up": [0, 1, 0]}
 FLAT = {"type": "orthographic", "eye": [0, 0, 6], "target": [0, 0, 0], "view_height": 2.5, "width": 40, "height": 40}
@@ -87,8 +88,21 @@ def test_64_lights(tmp_path):
     many = render(load_scene({**data, "lights": [{**data["lights"][0], "intensity": 1 / 64}] * 64}), "arrays")
     assert {"shadow_uv_1", "shadow_uv_64", "phong"} <= set(many.buffers)
     assert np.abs(many["phong"] - one["phong"]).max() < 1e-5
-    with pytest.raises(SceneError, match="expected 1 to 64 lights"):
+    with pytest.raises(SceneError, match=r"expected 1 to 64 lights, got .*; add or remove"):
         load_scene({**data, "lights": data["lights"] * 65})
+
+
+def test_64_lights_of_both_kinds_in_every_interpreter_and_validated(tmp_path):
+    kinds = ("point", "directional")
+    lights = [{"type": kinds[i % 2], "azimuth": 5.625 * i, "elevation": i % 50, "distance": 9} for i in range(64)]
+    tables = {"lights": lights, "shadow_map": {"width": 32, "height": 32}}
+    scene = load_scene(around(written(tmp_path / "slabs.obj", *two_slabs()), 32, **tables))
+    result = render(scene, "arrays")
+    assert render(scene, "kernel").hashes == result.hashes
+    assert validate(scene, result.buffers, explain=False).passed
+    wrong = result["thickness_64"] + np.float32(0.1) * (result["thickness_64"] > 0)
+    found = validate(scene, {**result.buffers, "thickness_64": wrong}, explain=False)
+    assert found.culprit.stage == "back_point_parallel"
 
 
 def test_a_stage_of_ones_own_is_made_for_parallel_rays_too(tmp_path):
