@@ -4,8 +4,17 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 ASSETS = Path(__file__).parents[2] / "shared" / "assets"
+
+# No test fails for the time it takes.
+settings.register_profile(
+    "untimed",
+    deadline=None,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture, HealthCheck.data_too_large],
+)
+settings.load_profile("untimed")
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -1,7 +1,7 @@
 import contextlib
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sss_ref.dump.mapping import read_mapping
@@ -155,9 +155,7 @@ KEYS = [
 ]
 
 
-@settings(
-    max_examples=300, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture], derandomize=True
-)
+@settings(max_examples=300, derandomize=True)
 @given(keys=st.dictionaries(st.sampled_from(KEYS), VALUE), tail=st.binary(max_size=20))
 def test_arbitrary_tables_raise_nothing_else(tmp_path, keys, tail):
     lines = "".join(f"{key} = {value}\n" for key, value in keys.items())

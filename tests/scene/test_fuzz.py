@@ -11,7 +11,7 @@ from copy import deepcopy
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, seed, settings
+from hypothesis import given, seed, settings
 from hypothesis import strategies as st
 
 from sss_ref.errors import MeshError, SceneError
@@ -20,12 +20,7 @@ from sss_ref.scene_file.reading import TABLES
 
 EXAMPLES = int(os.environ.get("SSS_REF_FUZZ_EXAMPLES", "200"))
 MEMORY = 3 * 2**30  # bytes of address space, most of it reserved by the libraries' threads
-QUICK = settings(
-    max_examples=EXAMPLES,
-    deadline=5000,
-    database=None,
-    suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture, HealthCheck.data_too_large],
-)
+QUICK = settings(max_examples=EXAMPLES, database=None)
 
 CORNERS = (0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1)
 FACES = (0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3)

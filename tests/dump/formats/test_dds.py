@@ -6,7 +6,7 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sss_ref.dump.files import parts_of
@@ -283,9 +283,7 @@ def test_what_is_refused(tmp_path, data, came):
     assert peak < 2**20
 
 
-@settings(
-    max_examples=300, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture], derandomize=True
-)
+@settings(max_examples=300, derandomize=True)
 @given(
     changes=st.lists(
         st.tuples(st.integers(0, 36), st.sampled_from([0, 1, 2, 3, 24, 26, 2**31, 2**32 - 1])), max_size=3
@@ -304,9 +302,7 @@ def test_damaged_headers_raise_nothing_else(tmp_path, changes, cut):
     assert texels.data.shape[0] * texels.data.shape[1] <= len(data)
 
 
-@settings(
-    max_examples=200, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture], derandomize=True
-)
+@settings(max_examples=200, derandomize=True)
 @given(tail=st.binary(max_size=300))
 def test_arbitrary_bytes_raise_nothing_else(tmp_path, tail):
     for data in (tail, b"DDS " + tail, header(2, 2) + tail):

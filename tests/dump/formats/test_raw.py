@@ -2,7 +2,7 @@ import tracemalloc
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sss_ref.dump.files import parts_of
@@ -55,9 +55,7 @@ def test_a_missing_file(tmp_path):
         parts_of(tmp_path / "x.raw", RawLayout((1, 1), "uint8"))
 
 
-@settings(
-    max_examples=200, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture], derandomize=True
-)
+@settings(max_examples=200, derandomize=True)
 @given(
     data=st.binary(max_size=64),
     shape=st.lists(st.integers(1, 16384) | st.integers(1, 4), min_size=2, max_size=3),
