@@ -9,6 +9,7 @@ from sss_ref.validation.stage_by_stage import validate
 
 SMALL = {f"{table}.{side}": 48 for table in ("camera", "shadow_map", "irradiance_map") for side in ("width", "height")}
 UNSEEN = ("figure1", "lesson_seam")  # the light is beside the eye, so nothing that is seen lets light through
+WITHOUT = ("glass", "wax")  # forms that have no exponent
 PRESETS = [
     (scene, preset, method)
     for scene, presets in {
@@ -32,7 +33,7 @@ def found(scene, **changes):
     return report, sum(int((one[name] != other[name]).sum()) for name in names)
 
 
-@pytest.mark.parametrize("scene", [name for name in scene_names() if name not in UNSEEN])
+@pytest.mark.parametrize("scene", [name for name in scene_names() if name not in (*UNSEEN, *WITHOUT)])
 def test_in_every_shipped_scene(scene):
     report, pixels = found(scene)
     assert pixels > 50 and report.culprit.stage.startswith("translucency_")
