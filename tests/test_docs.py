@@ -17,6 +17,7 @@ from sss_ref.methods.stages import all_stages
 from sss_ref.rules import RULES_VERSION
 from sss_ref.scene_file.kernels import HBH09
 from sss_ref.scene_file.reading import TABLES
+from sss_ref.scene_file.settings import LayerSettings
 
 STAGES = all_stages()
 DOCS = Path(__file__).parents[1] / "docs"
@@ -55,7 +56,7 @@ def scene_keys():
     """Every key of a filled scene file, and those of the other types of camera."""
     filled = settings_with({}).model_dump()
     tables = {name: value for name, value in filled.items() if isinstance(value, dict)}
-    tables["lights"] = filled["lights"][0]
+    tables |= {"lights": filled["lights"][0], "layers": LayerSettings.model_fields}
     yield from (name for name in filled if name not in tables)
     yield from (f"{name}.{key}" for name, table in tables.items() for key in table)
     for path, model in TABLES.items():

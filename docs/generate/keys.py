@@ -31,6 +31,9 @@ WORDS = {  # how a reader calls the type of a value
     quantities.Direction: "`[x, y, z]`, not all zero",
     quantities.Color: "`[r, g, b]`, each ≥ 0",
     quantities.Scale: "number or `[x, y, z]`, none zero",
+    settings.MeshPath: "text",
+    settings.PhongSettings: "table",
+    scattering.TranslucencySettings: "table",
     settings.MeshColor: '`[r, g, b]`, each ≥ 0, or `"material"`',
     scattering.Kernel: "one of "
     + ", ".join(f'`"{name}"`' for name in get_args(get_args(scattering.KernelName)[0]))

@@ -45,7 +45,7 @@ def page() -> str:
 
 def sections() -> Iterator[str]:
     """Every table with its keys; what all types of camera have comes before the types."""
-    for path, model in TABLES.items():
+    for path, model in DESCRIBED.items():
         if path == ("camera", "orbit"):
             yield from section("[camera]", viewpoints.Picture, "camera", choice("camera", "must be given"), set())
         if path == ("lights", "point"):
@@ -67,6 +67,8 @@ REPEATED: dict[type[BaseModel], set[str]] = {
     viewpoints.OrthographicCamera: set(viewpoints.LookAtCamera.model_fields),
     viewpoints.DirectionalLight: set(viewpoints.PointLight.model_fields),
 }
+# The tables but for those of a layer that have the keys of tables at the top.
+DESCRIBED = {path: model for path, model in TABLES.items() if path[0:1] != ("layers",) or len(path) == 1}
 TABLES_AT_TOP = [path[0] for path in TABLES if path]
 
 
@@ -74,12 +76,12 @@ def title(path: tuple[Any, ...]) -> str:
     """The heading of a table, as TOML writes it."""
     if not path:
         return "Top of the file"
-    return f"[{path[0]}]"
+    return "[[layers]]" if path[0] == "layers" else f"[{path[0]}]"
 
 
 def dotted_keys() -> list[str]:
     """Every key of a scene file with the table it stands in: method, camera.azimuth, lights.position."""
-    found = [(path[0], model) if path else ("", model) for path, model in TABLES.items()]
+    found = [(path[0], model) if path else ("", model) for path, model in DESCRIBED.items()]
     dotted = [f"{name}.{key}".strip(".") for name, model in found for key in model.model_fields]
     return list(dict.fromkeys(key for key in dotted if key not in TABLES_AT_TOP))
 
@@ -116,7 +118,7 @@ def choice(table: str, default: str) -> str:
 
 def presets_table() -> str:
     """The keys that tell the presets apart."""
-    tables = [(path[0], model) for path, model in TABLES.items() if path]
+    tables = [(path[0], model) for path, model in DESCRIBED.items() if path]
     fields = {(name, key): field for name, model in tables for key, field in model.model_fields.items()}
     rows = []
     for (name, key), field in fields.items():

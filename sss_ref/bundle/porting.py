@@ -10,6 +10,7 @@ Method `{method}`, preset `{preset}`, mesh `{mesh}`; every number is in the file
 |---|---|
 | `mesh/*.npy` | what the vertex shaders read: `position`, `normal`, `uv`, any `tangent` float32; `triangles` int32 |
 | `mesh.glb` | the same mesh to look at; its v is measured from the top and rounded, so compare with the arrays |
+| `inner_mesh*` | the same of the mesh inside the mesh, for a scene with a layer; `draw.mesh` of a pass says which |
 | `uniforms.json` | every uniform by the name in the shaders; matrices are row by row and act on column vectors |
 | `textures/*.npy` | pictures (H, W, 3) and arrays too long for a uniform, row 0 at the bottom |
 | `passes.json` | the passes in order: size, draw, what they read, targets with format and clear value |

@@ -17,6 +17,7 @@ from sss_ref.language.pipeline import Method, Pass
 from sss_ref.language.types import Array, Texture, vec2, vec3
 from sss_ref.language.typing_rules import type_name
 from sss_ref.mesh.array_folder import write_arrays
+from sss_ref.mesh.triangles import Mesh
 from sss_ref.passes.buffers import described
 from sss_ref.results.whole_folder import appearing, writable
 from sss_ref.rules import RULES_VERSION
@@ -31,15 +32,16 @@ FORMATS = {float: "R32F", vec2: "RG32F", vec3: "RGB32F", int: "R32I", bool: "R8U
 def write_bundle(scene: Scene, folder: Path) -> Path:
     """Write the bundle of a scene, which appears whole or not at all; returns the folder.
 
-    mesh.glb to look at, and mesh/*.npy with the exact arrays; uniforms.json, with textures/*.npy; passes.json;
-    shaders/*; scene.json, the scene with all its keys, which makes the folder a scene to `load_scene`; mapping.toml, a
-    mapping file to edit; PORTING.md, which explains the rest.
+    mesh.glb to look at, and mesh/*.npy with the exact arrays; of a layer inner_mesh.glb and inner_mesh/*.npy;
+    uniforms.json, with textures/*.npy; passes.json; shaders/*; scene.json, the scene with all its keys, which makes the
+    folder a scene to `load_scene`; mapping.toml, a mapping file to edit; PORTING.md, which explains the rest.
     Raises DumpError for a folder that cannot be written or is somebody else's.
     """
     folder = writable(folder, _is_bundle, "an earlier bundle")
     values, method = scene.uniforms, scene.method
     with appearing(folder) as part:
-        _write_mesh(scene, part)
+        for name, mesh in scene.meshes.items():
+            _write_mesh(mesh, name, part)
         _write_json(part / "uniforms.json", _uniforms(values, method, part))
         _write_json(part / "passes.json", _passes(scene))
         record = bundle_record(scene.settings, scene.source, scene.own_stages)
@@ -64,18 +66,17 @@ def _write_json(path: Path, content: Any) -> None:
     path.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
 
 
-def _write_mesh(scene: Scene, folder: Path) -> None:
-    """The mesh as the passes use it; the glTF file holds it too, but its v, measured from the top, is rounded."""
+def _write_mesh(mesh: Mesh, name: str, folder: Path) -> None:
+    """A mesh as the passes use it; the glTF file holds it too, but its v, measured from the top, is rounded."""
     import trimesh
 
-    mesh = scene.mesh
-    (folder / "mesh").mkdir()
-    write_arrays(mesh, folder / "mesh")
+    (folder / name).mkdir()
+    write_arrays(mesh, folder / name)
     visual = trimesh.visual.TextureVisuals(uv=mesh.attributes["uv"])
     exported = trimesh.Trimesh(
         mesh.positions, mesh.triangles, vertex_normals=mesh.normals, visual=visual, process=False
     )
-    exported.export(folder / "mesh.glb")
+    exported.export(folder / f"{name}.glb")
 
 
 def _uniforms(values: Mapping[str, Any], method: Method, folder: Path) -> dict[str, Any]:
@@ -154,7 +155,8 @@ def _draw(scene: Scene, this_pass: Pass) -> dict[str, Any]:
     if not this_pass.draw.vertex_stages:
         return {"kind": "rectangle", "discards_where_0": this_pass.draw.stencil}
     later_wins = this_pass.draw.layout and scene.settings.irradiance_map.overlap == "last"
-    return {"kind": "mesh", "depth_test": "less or equal" if later_wins else "less", "cull": "none"}
+    drawn = this_pass.draw.mesh
+    return {"kind": "mesh", "mesh": drawn, "depth_test": "less or equal" if later_wins else "less", "cull": "none"}
 
 
 def _target(scene: Scene, name: str, kind: Any) -> dict[str, Any]:

@@ -34,8 +34,9 @@ def slots_of(scene: Scene) -> Mapping[str, Slot]:
     slots = {}
     for each in scene.method.passes:
         view, mask = _view_of(each, scene), _mask_of(each)
+        last = len(scene.mesh_of(each).triangles) - 1 if each.draw.mesh else None
         for name in each.values:
-            largest = len(scene.mesh.triangles) - 1 if described(name).unit.startswith("triangle index") else None
+            largest = last if described(name).unit.startswith("triangle index") else None
             slots[name] = Slot(**vars(scene.forms[name]), view=view, mask=mask, largest=largest)
     return slots
 

@@ -16,6 +16,7 @@ from sss_ref.interpret.trace import scalar, trace
 from sss_ref.interpret.work import Fragments, Work, uniform_value
 from sss_ref.language.pipeline import MESH_ATTRIBUTES, Pass
 from sss_ref.language.stage import Stage
+from sss_ref.mesh.triangles import Mesh
 from sss_ref.raster.interpolate import weights_arrays
 from sss_ref.rendering.draw import Machine, draw, shade
 from sss_ref.rendering.fold import render
@@ -109,7 +110,7 @@ def _stages(work: Work, at: tuple[np.ndarray, np.ndarray], values: dict[str, Any
 
 def _under(result: Result, work: Work, pixel: tuple[int, int], values: Mapping[str, Any]) -> TriangleTrace:
     """The triangle under a pixel that the mesh covers, its corners, and what is interpolated between them."""
-    (column, row), fragments, mesh = pixel, work.fragments, result.scene.mesh
+    (column, row), fragments, mesh = pixel, work.fragments, result.scene.mesh_of(work.this_pass)
     primitives, pieces = fragments.of_mesh
     piece = pieces[row, column]
     weights = weights_arrays(primitives, np.array([piece]), np.array([column]), np.array([row]), fragments.step)[:, 0]
@@ -119,14 +120,14 @@ def _under(result: Result, work: Work, pixel: tuple[int, int], values: Mapping[s
         triangle,
         tuple(Corner(int(v), w, primitives.inverse_w[v]) for v, w in zip(corners, weights, strict=True)),
         not np.array_equal(own, corners),
-        tuple(_vertex(result, stage, int(v)) for stage in work.this_pass.draw.vertex_stages for v in own),
+        tuple(_vertex(result, mesh, stage, int(v)) for stage in work.this_pass.draw.vertex_stages for v in own),
         {name: values[name] for name in fragments.varyings},
     )
 
 
-def _vertex(result: Result, stage: Stage, vertex: int) -> StageTrace:
+def _vertex(result: Result, mesh: Mesh, stage: Stage, vertex: int) -> StageTrace:
     """The vertex stage at one vertex of the mesh."""
-    given = {name: attribute[vertex] for name, attribute in result.scene.mesh.attributes.items()}
+    given = {name: attribute[vertex] for name, attribute in mesh.attributes.items()}
     uniforms = {**result.scene.uniforms, **result.buffers}
     inputs = [
         uniform_value(kind, given[own] if own in MESH_ATTRIBUTES else uniforms[stage.reads[own]])

@@ -1,7 +1,7 @@
 """Which texel of each target a pixel of the image looks at."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -25,9 +25,9 @@ def place_of(
     """Where a pass with a target of this size (width, height) is to be looked at, for a pixel of the image."""
     if this_pass.target == "camera":
         return Place(pixel, "the pixel itself")
-    light = Name.of(this_pass.name).light
+    drawn = Name.of(this_pass.name)
     shadow_uv, shadow_valid, looked_up = (
-        str(Name(base, light)) for base in ("shadow_uv", "shadow_valid", "irradiance_uv")
+        str(replace(drawn, base=base)) for base in ("shadow_uv", "shadow_valid", "irradiance_uv")
     )
     if this_pass.target == "shadow_map":
         if shadow_uv not in buffers:

@@ -98,7 +98,8 @@ class _Drawing:
         context, size, kinds = self.canvas.context, self.scene.size(this_pass), this_pass.values
         written = {name: filled(context, kinds[name], size, self.scene.clear(name)) for name in pair.outputs}
         if this_pass.draw.vertex_stages:
-            vertices = self.canvas.vertices(program, self.scene.mesh.attributes, self.scene.mesh.triangles)
+            mesh = self.scene.mesh_of(this_pass)
+            vertices = self.canvas.vertices(program, mesh.attributes, mesh.triangles)
             later_wins = this_pass.draw.layout and self.scene.settings.irradiance_map.overlap == "last"
             self.canvas.triangles(vertices, written.values(), later_wins)
         else:

@@ -86,7 +86,7 @@ def shader_folder(folder: Path, settings: SceneFile) -> dict[str, list[Path]]:
         )
     files: dict[str, list[Path]] = {}
     for path in paths:
-        name = next((name for name in (path.stem, Name.of(path.stem).base) if name in on_demand), None)
+        name = next((name for name in (path.stem, str(Name.of(path.stem).of_light(0))) if name in on_demand), None)
         if name is None:
             raise ShaderError(f"{path}: expected the name of a pass ({', '.join(passes)}), got {path.stem}; rename it")
         files.setdefault(name, []).append(path)

@@ -4,11 +4,12 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
-from sss_ref.language.names import Name
+from sss_ref.language.names import INNER, Name
 from sss_ref.language.stage import Stage
 
 CLIP_POSITION = "clip_position"  # the one output of a vertex stage that is no varying: GLSL's gl_Position
 MESH_ATTRIBUTES = ("position", "normal", "uv", "tangent")  # what a vertex stage may read of its vertex, in model space
+MESH, INNER_MESH = "mesh", str(Name("mesh", body=INNER))  # the surface, and that of a body inside it
 REGISTERS = "registers"  # the group of all values that a pass computes on the way and no buffer keeps
 PIXEL = "pixel"  # the built-in input of every fragment: ivec2(column, row), row 0 at the bottom
 
@@ -23,6 +24,7 @@ class MeshDraw:
     triangle, depth, coverage: the buffers that the rasterizer itself writes, by their names ("" = none).
     layout: whether triangles lie side by side in the picture (a UV layout), so that covering a sample twice is an
         accident, for which the scene has a policy.
+    mesh: which one is drawn, MESH or INNER_MESH.
     """
 
     vertex: Stage
@@ -30,6 +32,7 @@ class MeshDraw:
     depth: str = ""
     coverage: str = ""
     layout: bool = False
+    mesh: str = MESH
     stencil = ""  # it is limited by nothing but the mesh
 
     @property
@@ -76,6 +79,7 @@ class ScreenDraw:
 
     stencil: str = ""
     triangle = depth = coverage = ""  # no rasterizer writes anything
+    mesh = ""
     layout = False
 
     @property

@@ -1,11 +1,15 @@
-"""Screen-space subsurface scattering (paper 2.1 and 3.2): shadow map, camera, blur, composite."""
+"""Screen-space subsurface scattering (paper 2.1 and 3.2): shadow map, camera, blur, composite.
+
+A body inside the mesh has a shadow map and a camera pass of its own, before the mesh through which it is seen.
+"""
 
 from sss_ref.language import Stage
 from sss_ref.language.names import tap_name
 from sss_ref.language.pipeline import Method, Pass, ScreenDraw
+from sss_ref.methods.inner_body import inner, of_inner
 from sss_ref.methods.per_light import Lights
 from sss_ref.methods.shared import NEUTRAL, behind_the_surface, by_channel, camera_view, shadow_maps
-from sss_ref.passes import blur, blur_on_surface, composite, lengths, translucency
+from sss_ref.passes import blur, blur_on_surface, composite, lengths, seen_through, translucency
 from sss_ref.scene_file.settings import SceneFile
 
 COMBINE = {  # how T joins the light, and the T that changes nothing
@@ -27,29 +31,53 @@ def screen_space(settings: SceneFile) -> Method:
     lights = Lights(settings)
     masked = settings.blur.mask != "none"
     stencil = ScreenDraw("coverage" if masked else "")
-    combine, neutral = COMBINE[settings.translucency.combine]
-    lit = (*lights.each(by_channel(settings, combine)), *lights.summed("lit"))
     lengths_there, scale = UNIT[settings.blur.unit]
-    camera = (*behind_the_surface(settings, lights), *lengths_there, *lit)
+    inside, through, picture = inner_passes(settings, lights)
+    camera = (*behind_the_surface(settings, lights), *lengths_there, *lit(settings, lights), *through)
     blurred = (BLUR_ON_SURFACE if settings.blur.follow_surface else BLUR)[settings.blur.mask]
     return Method(
         "screen_space",
         passes=(
             *shadow_maps(lights),
+            *inside,
             Pass("camera", "camera", camera_view(settings), camera),
-            Pass("blur", "camera", stencil, (blurred.bound(pixel_scale=scale),)),
-            Pass("taps", "camera", stencil, single_taps(settings, scale), on_demand=True),
+            Pass("blur", "camera", stencil, (blurred.bound(pixel_scale=scale, lit=picture),)),
+            Pass("taps", "camera", stencil, single_taps(settings, scale, picture), on_demand=True),
             Pass("composite", "camera", ScreenDraw(), (composite.over_background if masked else composite.glow,)),
         ),
-        constants={NEUTRAL: neutral},
+        constants=neutral(settings),
     )
 
 
-def single_taps(settings: SceneFile, scale: str = "pixel_scale") -> tuple[Stage, ...]:
+def lit(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
+    """The stages that join reflected light and light from behind."""
+    combine, _ = COMBINE[settings.translucency.combine]
+    return (*lights.each(by_channel(settings, combine)), *lights.summed("lit"))
+
+
+def neutral(settings: SceneFile) -> dict[str, float]:
+    """The T of each body that changes nothing, by the name of its uniform."""
+    own = {NEUTRAL: COMBINE[settings.translucency.combine][1]}
+    return own | ({inner(NEUTRAL): neutral(settings.inner)[NEUTRAL]} if settings.inner else {})
+
+
+def inner_passes(settings: SceneFile, lights: Lights) -> tuple[tuple[Pass, ...], tuple[Stage, ...], str]:
+    """The passes of the body inside the mesh, the stage that looks through, and the buffer that has the picture then.
+
+    Without such a body there is none of it, and the picture is `lit`.
+    """
+    if not settings.inner:
+        return (), (), "lit"
+    stages = (*behind_the_surface(settings.inner, lights), *lit(settings.inner, lights))
+    passes = (*shadow_maps(lights), Pass("camera", "camera", camera_view(settings.inner), stages))
+    return tuple(map(of_inner, passes)), (seen_through.seen_through,), "seen"
+
+
+def single_taps(settings: SceneFile, scale: str = "pixel_scale", picture: str = "lit") -> tuple[Stage, ...]:
     """The stage `single_tap` once for each row of the kernel, writing tap_00, tap_01 and so on.
 
-    scale: the uniform or buffer that says how many pixels an offset is.
+    scale: the uniform or buffer that says how many pixels an offset is. picture: what is blurred.
     """
     names = [tap_name(number) for number in range(len(settings.blur.taps))]
-    single = blur.single_tap.bound(pixel_scale=scale)
+    single = blur.single_tap.bound(pixel_scale=scale, lit=picture)
     return tuple(single.bound(tap=name, offset=f"{name}_offset", weight=f"{name}_weight") for name in names)

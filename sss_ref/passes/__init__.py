@@ -6,14 +6,15 @@
 4. `surface_detail`: the same surface with finer normals and a highlight of its own, from pictures over it.
 5. `phong`: how that surface reflects the light.
 6. `translucency`: how much light comes through the body, and how it joins what is reflected.
-7. `blur`: how light that scatters below the surface leaves beside where it entered (Table 1). Where its offsets are in
+7. `seen_through`: how much of a body inside the mesh is seen, and how much light gets there.
+8. `blur`: how light that scatters below the surface leaves beside where it entered (Table 1). Where its offsets are in
    mm, `lengths` says what these are in pixels, and `blur_on_surface` keeps it from what lies far behind.
-8. `composite`: the picture.
+9. `composite`: the picture.
 
 Texture space (paper 2.2, 3.3) has two files more, and what it shares it takes from above:
 
-9. `irradiance`: the light that arrives, laid out flat by UV.
-10. `texture_image`: the picture from the blurred layout.
+10. `irradiance`: the light that arrives, laid out flat by UV.
+11. `texture_image`: the picture from the blurred layout.
 
 `light_sum` adds several lights. Two tables name what passes from stage to stage: `buffers`, what is written, and
 `light_uniforms`, what each light has for itself. Which stages follow each other is said in `sss_ref.methods`.

@@ -63,7 +63,7 @@ def draw(scene: Scene, this_pass: Pass, buffers: Buffers, machine: Machine) -> S
         return Sketch(Fragments(*scene.size(this_pass), stencil=stencil))
     viewport = machine.viewport(scene, this_pass)
     varyings, _ = varying_columns(this_pass)
-    primitives = assemble(*vertices(scene, this_pass, buffers, machine), scene.mesh.triangles, viewport)
+    primitives = assemble(*vertices(scene, this_pass, buffers, machine), scene.mesh_of(this_pass).triangles, viewport)
     piece, depth = visibility(primitives, viewport, machine.pool)
     notes: tuple[str, ...] = ()
     if this_pass.draw.layout:
@@ -76,7 +76,7 @@ def vertices(scene: Scene, this_pass: Pass, buffers: Buffers, machine: Machine) 
     """What the vertex stage of a pass gives: clip positions float32 (V, 4), and the varyings that are read, (V, C)."""
     given = {**scene.uniforms, **buffers}
     clip_position, varyings = machine.interpreter.run_vertices(
-        this_pass, scene.mesh.attributes, given, *varying_columns(this_pass)
+        this_pass, scene.mesh_of(this_pass).attributes, given, *varying_columns(this_pass)
     )
     return clip_position, varyings
 

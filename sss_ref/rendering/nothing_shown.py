@@ -24,7 +24,7 @@ def nothing_drawn(scene: Scene, this_pass: Pass, sketch: Sketch) -> Iterator[str
     from_camera = this_pass.target == "camera"
     view, key = (scene.camera, "camera") if from_camera else (scene.lights[light].view, f"lights.{light}")
     table = scene.settings.camera if from_camera else scene.settings.lights[light]
-    surface = PlacedMesh(scene.mesh, scene.world_from_model)
+    surface = PlacedMesh(scene.mesh_of(this_pass), scene.world_from_model)
     told = f"{this_pass.name}: nothing of the mesh is drawn"
     if unseen(view, surface, key, table) or not surface.has_area:
         yield told

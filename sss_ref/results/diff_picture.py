@@ -125,8 +125,9 @@ def versions(name: str, pair: Pair, drawn: Pair, step: int) -> list[np.ndarray]:
 
 def _drawn(name: str, files: Mapping[str, Path], buffer: np.ndarray) -> np.ndarray:
     """Where the model is seen, as far as the folder tells: the background would use up the range of a scalar."""
-    of_map = Name("light_triangle", Name.of(name).light)
-    triangle = files.get(str(of_map) if name.startswith("light_") else "triangle")
+    parts = Name.of(name)
+    shown = Name("light_triangle", parts.light) if parts.base.startswith("light_") else Name("triangle")
+    triangle = files.get(str(shown.of_body(parts.body)))
     seen = read_buffer(triangle) >= 0 if triangle and channel_names(name, buffer)[0] != "R" else None
     return seen if seen is not None and seen.shape == buffer.shape[:2] else np.ones(buffer.shape[:2], bool)
 

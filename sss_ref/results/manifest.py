@@ -60,7 +60,7 @@ class SceneRecord(Record):
     texture_file: str | None = None
     """The same of the colour texture; None for a scene without."""
     other_files: dict[str, str] = {}
-    """Key -> the same of any other picture: mesh.normal_map."""
+    """Key -> the same of any other file: mesh.normal_map, layers.0.path."""
     settings: dict[str, Any]
 
 
@@ -158,11 +158,18 @@ def _scene_record(scene: Scene) -> SceneRecord:
     others = {key: path for key, path in scene.settings.mesh.pictures.items() if key != "texture"}
     return SceneRecord(
         source=scene.source,
-        mesh_file=str((find_mesh(named, folder) or Path(named)).absolute()),
+        mesh_file=_mesh_file(named, folder),
         texture_file=None if texture is None else str((folder / texture).absolute()),
-        other_files={f"mesh.{key}": str((folder / path).absolute()) for key, path in others.items()},
+        other_files={
+            **{f"mesh.{key}": str((folder / path).absolute()) for key, path in others.items()},
+            **{f"layers.{k}.path": _mesh_file(layer.path, folder) for k, layer in enumerate(scene.settings.layers)},
+        },
         settings=scene.settings.model_dump(mode="json"),
     )
+
+
+def _mesh_file(named: str, folder: Path) -> str:
+    return str((find_mesh(named, folder) or Path(named)).absolute())
 
 
 def _environment() -> dict[str, str]:

@@ -70,17 +70,24 @@ def _is_changed(record: BufferRecord, folder: Path) -> bool:
 def _recorded_scene(manifest: Manifest, folder: Path) -> Scene:
     """The scene of a manifest; its files from where they were, else from beside the result, else the shipped mesh."""
     recorded = manifest.scene
-    named = recorded.settings.get("mesh", {})
     beside = folder.resolve().parent
-    meshes = (
-        find_mesh(path, beside) for path in (recorded.mesh_file, named.get("path", ""), Path(recorded.mesh_file).name)
-    )
-    files = {"mesh.path": next((str(path) for path in meshes if path), recorded.mesh_file)}
+    named = {"mesh.path": recorded.settings.get("mesh", {}).get("path", "")}
+    named |= {f"layers.{k}.path": layer.get("path", "") for k, layer in enumerate(recorded.settings.get("layers", ()))}
+    were = {**recorded.other_files, "mesh.path": recorded.mesh_file}
+    files = {key: _mesh_again(were.get(key, path), path, beside) for key, path in named.items()}
     texture = {} if recorded.texture_file is None else {"mesh.texture": recorded.texture_file}
-    for key, was in {**texture, **recorded.other_files}.items():
+    for key, was in {**recorded.other_files, **texture}.items():
+        if key in files:
+            continue
         places = (Path(was), beside / Path(was).name)
         files[key] = next((str(path) for path in places if path.is_file()), was)
     return load_scene(recorded.settings, **files)
+
+
+def _mesh_again(was: str, named: str, beside: Path) -> str:
+    """Where a mesh is: where it was, else as the scene names it, beside the result or shipped; else where it was."""
+    found = (find_mesh(path, beside) for path in (was, named, Path(was).name))
+    return next((str(path) for path in found if path), was)
 
 
 def _rendered_again(

@@ -18,10 +18,10 @@ from sss_ref.scene.memory import check_memory
 from sss_ref.scene.placed_mesh import PlacedMesh
 from sss_ref.scene.scene import Scene
 from sss_ref.scene.surface_maps import normal_map_of, specular_map_of
-from sss_ref.scene.surprises import surprises
+from sss_ref.scene.surprises import surprises, surprises_inside
 from sss_ref.scene_file.quantities import FLOAT32_OVERFLOW
 from sss_ref.scene_file.reading import Document, opened, validated
-from sss_ref.scene_file.settings import SceneFile, ShadowMap
+from sss_ref.scene_file.settings import MeshSettings, SceneFile, ShadowMap
 from sss_ref.scene_file.shipped import find_mesh
 from sss_ref.scene_file.viewpoints import Camera, PointLight
 from sss_ref.view.light_fit import AnyLight, fitted, placed
@@ -53,19 +53,24 @@ def scene_of(
 ) -> Scene:
     """The scene of a document, with overrides on top; raises as `load_scene` does.
 
-    read: what gives its mesh: `read_mesh`, or for many scenes one that remembers what it has given.
+    read: what gives its meshes: `read_mesh`, or for many scenes one that remembers what it has given.
     """
     settings = validated(document, overrides, check_memory)
-    place = settings.mesh
-    path = find_mesh(place.path, document.folder)
+    inner = _mesh_of(settings.inner.mesh, document.folder, read) if settings.inner else None
+    return _assembled(settings, document, _mesh_of(settings.mesh, document.folder, read), inner)
+
+
+def _mesh_of(settings: MeshSettings, folder: Path, read: Callable[[Path, bool, bool], Mesh]) -> Mesh:
+    path = find_mesh(settings.path, folder)
     assert path is not None  # validation found it
-    return _assembled(settings, document, read(path, place.unwrap, place.normal_map is not None))
+    return read(path, settings.unwrap, settings.normal_map is not None)
 
 
-def _assembled(settings: SceneFile, document: Document, mesh: Mesh) -> Scene:
+def _assembled(settings: SceneFile, document: Document, mesh: Mesh, inner: Mesh | None) -> Scene:
     """The scene with its lights fitted to the mesh; raises one SceneError for all that does not fit together."""
     place = settings.mesh
     surface = PlacedMesh(mesh, placement(*map(np.array, (place.scale, place.rotate_degrees, place.translate))))
+    inside = [PlacedMesh(inner, surface.world_from_model)] if inner else []
     color = f"mesh.{'color' if place.texture is None else 'texture'}"
     steps: dict[str, Callable[[], Any]] = {
         "mesh": partial(_check_extent, surface),
@@ -73,6 +78,8 @@ def _assembled(settings: SceneFile, document: Document, mesh: Mesh) -> Scene:
         color: partial(albedo_of, place, mesh, document.folder),
         "camera": partial(_placed_camera, settings.camera, surface),
     }
+    for number, layer in enumerate(inside):
+        steps[f"layers[{number}]"] = partial(_check_extent, layer)
     for key in sorted(set(MAPS) & set(place.pictures)):
         steps[f"mesh.{key}"] = partial(MAPS[key], mesh, document.folder / place.pictures[key])
     for number, light in enumerate(settings.lights):
@@ -89,8 +96,13 @@ def _assembled(settings: SceneFile, document: Document, mesh: Mesh) -> Scene:
         found["camera"],
         lights,
         found[color],
-        (*albedo_warnings(place, mesh), *surprises(resolved, surface, found["camera"], lights)),
+        (
+            *albedo_warnings(place, mesh),
+            *surprises(resolved, surface, found["camera"], lights),
+            *(line for layer in inside for line in surprises_inside(surface, layer)),
+        ),
         {key: found[f"mesh.{key}"] for key in MAPS if f"mesh.{key}" in found},
+        inner,
     )
 
 

@@ -63,6 +63,7 @@ def _plainest(tables: Mapping[str, Any]) -> settings.SceneFile:
         method=tables.get("method", "screen_space"),
         preset=chosen,
         mesh=tables.get("mesh", settings.MeshSettings.model_construct(path="")),
+        layers=tables.get("layers", ()),
         camera=viewpoints.OrbitCamera.model_construct(type="orbit"),
         lights=(viewpoints.PointLight.model_construct(),) * len(tables.get("lights", "1")),
         translucency=scattering.TranslucencySettings.model_construct(**preset["translucency"]),

@@ -9,15 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sss_ref.language import Stage
-from sss_ref.language.names import Name
-from sss_ref.language.pipeline import Method, Pass
+from sss_ref.language.names import INNER, Name
+from sss_ref.language.pipeline import INNER_MESH, MESH, Method, Pass
 from sss_ref.mesh.triangles import Mesh, array_hash
 from sss_ref.methods.parallel_views import with_parallel_rays
 from sss_ref.passes.buffers import described
 from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.forms import Form, forms_of, size_of
 from sss_ref.scene.stages_replaced import with_stages
-from sss_ref.scene.uniforms import stretch, uniforms_of
+from sss_ref.scene.uniforms import of_inner_body, stretch, uniforms_of
 from sss_ref.scene.until import buffers_kept, buffers_until
 from sss_ref.scene_file.settings import SceneFile
 from sss_ref.view.matrices import Matrix, transformed
@@ -37,6 +37,7 @@ class Scene:
     albedo: Mapping[str, NDArray[Any]]  # the uniforms of the surface's colour, see albedo_of
     warnings: tuple[str, ...]  # what is drawn all the same, but may surprise
     maps: Mapping[str, NDArray[np.float32]] = field(default_factory=dict)  # pictures of its detail, see maps_of
+    inner_mesh: Mesh | None = None  # the layer inside the mesh, at the same place
     own_stages: Mapping[str, Stage] = field(default_factory=dict)  # name of a stage -> the user's in its place
     own_uniforms: Mapping[str, Any] = field(default_factory=dict)  # what those read: name -> float32
 
@@ -51,7 +52,24 @@ class Scene:
         own = uniforms_of(self.settings, self.world_from_model, self.camera, self.lights, self.method.constants)
         points = transformed(self.world_from_model, self.mesh.positions)
         in_mm = stretch(self.settings, points, self.mesh)
-        return {**own, **in_mm, **self.albedo, **self.maps, **self.own_uniforms}
+        return {**own, **in_mm, **self.albedo, **self.maps, **self._of_inner_body(), **self.own_uniforms}
+
+    def _of_inner_body(self) -> dict[str, Any]:
+        """The uniforms that the body inside the mesh has for itself; none for a scene without."""
+        own = self.settings.inner
+        if not own:
+            return {}
+        found = uniforms_of(own, self.world_from_model, self.camera, self.lights, {})
+        return of_inner_body({**found, "mesh_color": np.array(own.mesh.color, np.float32)})
+
+    def mesh_of(self, this_pass: Pass) -> Mesh:
+        """The mesh that a pass draws."""
+        return self.meshes[this_pass.draw.mesh]
+
+    @property
+    def meshes(self) -> Mapping[str, Mesh]:
+        """The meshes that passes draw, by the names that they have there."""
+        return {MESH: self.mesh} | ({INNER_MESH: self.inner_mesh} if self.inner_mesh else {})
 
     @cached_property
     def forms(self) -> Mapping[str, Form]:
@@ -81,4 +99,9 @@ class Scene:
     def input_hashes(self) -> dict[str, str]:
         """Name of everything that was read from a mesh or texture file -> its `array_hash` after decoding (rule A5)."""
         colors = {name: self.albedo[name] for name in ("albedo_map", "material_color") if name in self.albedo}
-        return self.mesh.hashes() | {name: array_hash(name, array) for name, array in {**colors, **self.maps}.items()}
+        inner = self.inner_mesh.hashes() if self.inner_mesh else {}
+        return (
+            self.mesh.hashes()
+            | {name: array_hash(name, array) for name, array in {**colors, **self.maps}.items()}
+            | {str(Name(name, body=INNER)): found for name, found in inner.items()}
+        )

@@ -6,6 +6,7 @@ from dataclasses import replace
 from sss_ref.language import Stage
 from sss_ref.language.names import TEXEL, Name
 from sss_ref.language.pipeline import Method, Pass
+from sss_ref.methods.inner_body import belongs_to_a_body
 from sss_ref.methods.per_light import belongs_to_a_light
 
 
@@ -26,10 +27,12 @@ def bound_like(stage: Stage, other: Stage, before: set[str]) -> Stage:
     """A stage bound as another one is; before: what the pass has written so far.
 
     Names that both have mean the same. Of the rest, what belongs to a light has the number that the other stage's names
-    have, and what the irradiance map keeps to itself says so.
+    have, what belongs to a body is of the one that the other stage writes of, and what the irradiance map keeps to
+    itself says so.
     """
     shared = {**other.reads, **other.writes}
     light = max(Name.of(name).light for name in shared.values())
+    body = Name.of(next(iter(other.writes.values()))).body
     new = set(stage.writes) - set(shared)
 
     def rename(text: str) -> str:
@@ -38,6 +41,8 @@ def bound_like(stage: Stage, other: Stage, before: set[str]) -> Stage:
         name = Name.of(text)
         if light and (text in new or belongs_to_a_light(text)):
             name = name.of_light(light)
+        if body and (text in new or belongs_to_a_body(text)):
+            name = name.of_body(body)
         inside = str(name.at(TEXEL))
         return inside if inside in before else str(name)
 

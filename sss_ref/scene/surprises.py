@@ -25,6 +25,14 @@ def surprises(settings: SceneFile, surface: PlacedMesh, camera: View, lights: tu
         yield from (f"lights[{number}]: {line}" for line in _of_light(settings, surface, light, number))
 
 
+def surprises_inside(surface: PlacedMesh, inner: PlacedMesh) -> Iterator[str]:
+    """The same of a layer, which should be inside the mesh."""
+    yield from (f"layers[0]: {note}" for note in inner.mesh.notes)
+    corners = inner.points.min(axis=0), inner.points.max(axis=0)
+    if not all(map(surface.bounds.holds, corners)):
+        yield "layers[0]: it reaches out of the mesh, and beside that is not seen; give one that lies inside"
+
+
 def _of_mesh(settings: SceneFile, surface: PlacedMesh) -> Iterator[str]:
     if not surface.has_area:
         count = len(surface.mesh.triangles)

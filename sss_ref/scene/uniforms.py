@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from sss_ref.language.names import Name, tap_name
 from sss_ref.mesh.stretch import stretch_of
 from sss_ref.mesh.triangles import Mesh
+from sss_ref.methods.inner_body import OWN, inner
 from sss_ref.passes.light_uniforms import LightUniforms
 from sss_ref.scene_file.scattering import TranslucencySettings
 from sss_ref.scene_file.settings import MeshSettings, SceneFile
@@ -62,6 +63,8 @@ def uniforms_of(
         **{f"{tap_name(number)}_offset": tap[:2] for number, tap in enumerate(taps)},
         **{f"{tap_name(number)}_weight": tap[2:] for number, tap in enumerate(taps)},
     }
+    if settings.layers:
+        values["extinction_per_mm"] = settings.layers[0].extinction_per_mm
     rounded = {name: np.array(value, np.float32, order="C") for name, value in values.items()}
     scalars = {name: value if value.ndim else value[()] for name, value in rounded.items()}
     return {**scalars, "tap_count": len(taps), "gaussian_count": len(settings.translucency.terms)}
@@ -80,6 +83,11 @@ def _of_translucency(translucency: TranslucencySettings) -> dict[str, Any]:
     channels = 3 if translucency.by_channel else ()
     spread = {name: np.broadcast_to(value, channels) for name, value in values.items()}
     return {**spread, "gaussian_variance": terms[:, 0], "gaussian_weight": terms[:, 1:]}
+
+
+def of_inner_body(uniforms: Mapping[str, Any]) -> dict[str, Any]:
+    """Those that the inner body has for itself, from the uniforms of a scene of that body alone."""
+    return {inner(name): value for name, value in uniforms.items() if name in OWN}
 
 
 def _ahead(settings: SceneFile, camera: View) -> Vector:

@@ -16,7 +16,7 @@ from sss_ref.scene_file.shipped import scene_names
 
 FILE_NAME = "scene.json"
 SCENE_FORMAT: Final = "sss_ref scene 1"
-MESH, PICTURE = "mesh", "textures/albedo.png"  # where a bundle holds what its scene names
+MESH, INNER_MESH, PICTURE = "mesh", "inner_mesh", "textures/albedo.png"  # where a bundle holds what its scene names
 MAPS = ("normal_map", "specular_map")  # pictures that it holds as arrays, as their uniforms
 
 
@@ -37,7 +37,9 @@ def bundle_record(settings: SceneFile, source: str, own_stages: Iterable[str]) -
     mesh = {"path": MESH, "unwrap": False}
     texture = {} if settings.mesh.texture is None else {"texture": PICTURE}
     maps = {key: f"textures/{key}.npy" for key in MAPS if key in settings.mesh.pictures}
-    held = settings.model_copy(update={"mesh": settings.mesh.model_copy(update=mesh | texture | maps)})
+    layers = tuple(layer.model_copy(update={"path": INNER_MESH}) for layer in settings.layers)
+    surface = settings.mesh.model_copy(update=mesh | texture | maps)
+    held = settings.model_copy(update={"mesh": surface, "layers": layers})
     return SceneOfBundle(
         format=SCENE_FORMAT,
         rules_version=RULES_VERSION,

@@ -14,7 +14,8 @@ DEFAULT_PRESET = "paper"
 def filled(data: Mapping[str, Any]) -> dict[str, Any]:
     """`data` on top of the material and the preset it names; what nobody knows is left for validation to report.
 
-    What a preset has of lights lies below every light, and what it has of a perspective only below one.
+    What a preset has of lights lies below every light, and what it has of a perspective only below one; what
+    the scene has of phong and translucency lies below those of every layer.
     """
     name = data.get("preset", DEFAULT_PRESET)
     preset = PRESETS.get(name if isinstance(name, str) else DEFAULT_PRESET, PRESETS[DEFAULT_PRESET])
@@ -28,7 +29,12 @@ def filled(data: Mapping[str, Any]) -> dict[str, Any]:
         preset = {**preset, "camera": lens}
     if isinstance(lights, list | tuple):
         data = {**data, "lights": [laid(preset.get("lights", {}), light) for light in lights]}
-    return {key: value for key, value in laid(preset, data).items() if key in data or key != "lights"}
+    below = laid(preset, data)
+    layers = data.get("layers")
+    if isinstance(layers, list | tuple):
+        material = {key: below.get(key, {}) for key in ("phong", "translucency")}
+        below["layers"] = [laid(material, layer) for layer in layers]
+    return {key: value for key, value in below.items() if key in data or key != "lights"}
 
 
 def _is_in_mm(data: Mapping[str, Any]) -> bool:

@@ -91,6 +91,8 @@ def misfits(data: Mapping[str, Any]) -> Iterator[tuple[KeyPath, str]]:
             yield path, told(key, 'another value without preset "published"', shown(value), "choose one, or the preset")
     if name == "published":
         yield from _misfit_lights(data.get("lights"))
+        if data.get("layers"):
+            yield ("layers",), _misfit(("layers",), "none", "some")
         if _at(data, ("camera", "type")) == "orthographic":
             yield ("camera", "type"), _misfit(("camera", "type"), "a perspective", "orthographic")
 

@@ -22,6 +22,9 @@ from sss_ref.scene_file.substances import without_unit
 TABLES: dict[KeyPath, type[BaseModel]] = {
     (): settings.SceneFile,
     ("mesh",): settings.MeshSettings,
+    ("layers",): settings.LayerSettings,
+    ("layers", "phong"): settings.PhongSettings,
+    ("layers", "translucency"): scattering.TranslucencySettings,
     ("camera", "orbit"): viewpoints.OrbitCamera,
     ("camera", "look_at"): viewpoints.LookAtCamera,
     ("camera", "free"): viewpoints.FreeCamera,

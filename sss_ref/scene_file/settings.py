@@ -7,7 +7,7 @@ default is filled by the preset, or else the file must give it. All models are s
 import os
 from typing import Annotated, Literal
 
-from pydantic import Discriminator, Field, Tag, ValidationInfo, field_validator
+from pydantic import AfterValidator, Discriminator, Field, Tag, ValidationInfo, field_validator
 
 from sss_ref.errors.wording import unmet
 from sss_ref.scene_file.color_texture import texture_size
@@ -29,6 +29,7 @@ from sss_ref.scene_file.shipped import find_mesh, mesh_names
 from sss_ref.scene_file.viewpoints import Camera, LightSettings
 
 MOST_LIGHTS = 64
+LAYERS = requiring(lambda layers: len(layers) <= 1, "at most one layer", "remove the others")
 LIGHTS = requiring(
     lambda lights: 1 <= len(lights) <= MOST_LIGHTS, f"1 to {MOST_LIGHTS} lights", "add or remove [[lights]]"
 )
@@ -38,10 +39,19 @@ MeshColor = Annotated[
 ]
 
 
+def _existing_mesh(path: str, info: ValidationInfo) -> str:
+    if info.context and find_mesh(path, info.context["folder"]) is None:
+        raise unmet("a mesh file or a shipped mesh's name", f"check the path (shipped: {', '.join(mesh_names())})")
+    return path
+
+
+MeshPath = Annotated[str, AfterValidator(_existing_mesh)]
+
+
 class MeshSettings(Table):
     """[mesh]: the surface, and how it is placed: scaled, rotated about X, then Y, then Z, and translated."""
 
-    path: str
+    path: MeshPath
     """A mesh file, relative to the scene file, or the name of a shipped mesh."""
     scale: Scale = (1.0, 1.0, 1.0)
     """Factor on each axis; a single number for all three. Negative factors mirror."""
@@ -72,13 +82,6 @@ class MeshSettings(Table):
         if self.texture is not None:
             return "texture"
         return "material" if self.color == "material" else "constant"
-
-    @field_validator("path")
-    @classmethod
-    def _exists(cls, path: str, info: ValidationInfo) -> str:
-        if info.context and find_mesh(path, info.context["folder"]) is None:
-            raise unmet("a mesh file or a shipped mesh's name", f"check the path (shipped: {', '.join(mesh_names())})")
-        return path
 
     @property
     def pictures(self) -> dict[str, str]:
@@ -130,6 +133,24 @@ class PhongSettings(Table):
     """Exponent of the highlight."""
 
 
+class LayerSettings(Table):
+    """[[layers]]: a body inside the mesh, seen through it and placed as it is, as dentine is under enamel (paper 1.2).
+
+    In screen space; at most one.
+    """
+
+    path: MeshPath
+    """A mesh file, relative to the scene file, or the name of a shipped mesh."""
+    color: Color = (0.7, 0.4, 0.4)
+    """Albedo, linear RGB."""
+    extinction_per_mm: Color
+    """How fast light fades between the two surfaces, red, green and blue: exp(-this) of it is left after 1 mm."""
+    phong: PhongSettings
+    """A table of its own, [layers.phong]; what it leaves out is as in [phong]."""
+    translucency: TranslucencySettings
+    """A table of its own, [layers.translucency]; what it leaves out is as in [translucency]."""
+
+
 class IrradianceMap(Table):
     """[irradiance_map]: the light that arrives at the surface, laid out by UV (paper 2.2)."""
 
@@ -168,6 +189,7 @@ class SceneFile(Table):
     mm_per_unit: Positive = 1.0
     """Millimetres per scene unit: for lengths in mm. T of x, y and d_min depends on the unit and is never converted."""
     mesh: MeshSettings
+    layers: Annotated[tuple[LayerSettings, ...], Field(strict=False), LAYERS] = ()
     camera: Camera
     lights: Annotated[tuple[LightSettings, ...], Field(strict=False), LIGHTS]
     shadow_map: ShadowMap = ShadowMap()
@@ -176,6 +198,25 @@ class SceneFile(Table):
     blur: Blur
     irradiance_map: IrradianceMap
     output: Output = Output()
+
+    @property
+    def inner(self) -> "SceneFile | None":
+        """The scene as if the layer were its mesh; None for a scene without."""
+        if not self.layers:
+            return None
+        (layer,) = self.layers
+        plain = {"texture": None, "normal_map": None, "specular_map": None, "unwrap": False}
+        mesh = self.mesh.model_copy(update={"path": layer.path, "color": layer.color, **plain})
+        return self.model_copy(
+            update={"mesh": mesh, "phong": layer.phong, "translucency": layer.translucency, "layers": ()}
+        )
+
+    @field_validator("layers")
+    @classmethod
+    def _on_the_picture(cls, layers: tuple[LayerSettings, ...], info: ValidationInfo) -> tuple[LayerSettings, ...]:
+        if layers and info.data.get("method") == "texture_space":
+            raise unmet('no layers with method = "texture_space"', 'remove them or set method = "screen_space"')
+        return layers
 
     @field_validator("output")  # the last table, so that all others are known
     @classmethod

@@ -13,6 +13,7 @@ from sss_ref.gl.uploads import texture_data
 from sss_ref.interpret.shader import ESSL, array_lengths, draws, fragment_shader, vertex_shader
 from sss_ref.language.layout import CHANNELS, dtype_of
 from sss_ref.language.pipeline import Pass
+from sss_ref.mesh.triangles import Mesh
 from sss_ref.scene.scene import Scene
 
 KINDS = {"f": "float", "i": "int", "u": "bool"}  # kind of number -> the script's name
@@ -42,11 +43,14 @@ def drawing(scene: Scene, keep: str | Iterable[str]) -> dict[str, Any]:
         "uniforms": {name: np.ravel(value).tolist() for name, value in scene.uniforms.items() if name not in textures},
         "names": {ESSL.name(name): name for name in (*scene.uniforms, *scene.method.values)},
         "textures": {name: _texture(data) for name, data in textures.items()},
-        "triangles": _base64(scene.mesh.triangles),
-        "attributes": {
-            name: {"channels": data.shape[1], "data": _base64(data)} for name, data in scene.mesh.attributes.items()
-        },
+        "meshes": {name: _mesh(mesh) for name, mesh in scene.meshes.items()},
     }
+
+
+def _mesh(mesh: Mesh) -> dict[str, Any]:
+    """The corners of its triangles, and what the vertex shaders read of a vertex."""
+    attributes = {name: {"channels": data.shape[1], "data": _base64(data)} for name, data in mesh.attributes.items()}
+    return {"triangles": _base64(mesh.triangles), "attributes": attributes}
 
 
 def _passes(kept: Collection[str], scene: Scene) -> list[dict[str, Any]]:
@@ -66,7 +70,7 @@ def _pass(this_pass: Pass, scene: Scene) -> dict[str, Any]:
     return {
         "width": width,
         "height": height,
-        "mesh": bool(this_pass.draw.vertex_stages),
+        "mesh": this_pass.draw.mesh,
         "laterWins": this_pass.draw.layout and scene.settings.irradiance_map.overlap == "last",
         **this_pass.repetition,
     }

@@ -59,10 +59,17 @@ class Drawing {
   constructor(gl, scene) {
     Object.assign(this, { gl, scene, kinds: kindsOf(gl), buffers: {}, textures: {} });
     for (const [name, picture] of Object.entries(scene.textures)) this.textures[name] = this.uploaded(picture);
-    this.corners = new Uint32Array(bytesOf(scene.triangles).buffer);
-    this.attributes = Object.fromEntries(
-      Object.entries(scene.attributes).map(([name, { channels, data }]) => [name, this.perCorner(channels, data)]),
-    );
+    this.meshes = {};
+    for (const [name, mesh] of Object.entries(scene.meshes)) this.meshes[name] = this.meshOf(mesh);
+  }
+
+  // What is drawn of a mesh.
+  meshOf({ triangles, attributes }) {
+    const corners = new Uint32Array(bytesOf(triangles).buffer);
+    const expanded = Object.entries(attributes).map(([name, { channels, data }]) => [
+      name, this.perCorner(corners, channels, data),
+    ]);
+    return { count: corners.length, attributes: Object.fromEntries(expanded) };
   }
 
   // A texture without filter; without data, one to draw into, where three channels are stored as four.
@@ -87,11 +94,11 @@ class Drawing {
   }
 
   // An attribute for every corner of every triangle: drawn without indices, a vertex knows its triangle.
-  perCorner(channels, data) {
+  perCorner(corners, channels, data) {
     const { gl } = this;
     const values = new Float32Array(bytesOf(data).buffer);
-    const expanded = new Float32Array(this.corners.length * channels);
-    this.corners.forEach((vertex, corner) => {
+    const expanded = new Float32Array(corners.length * channels);
+    corners.forEach((vertex, corner) => {
       for (let k = 0; k < channels; k++) expanded[corner * channels + k] = values[vertex * channels + k];
     });
     const buffer = gl.createBuffer();
@@ -185,15 +192,15 @@ class Drawing {
     });
     gl.drawBuffers(outputs.map((_, index) => gl.COLOR_ATTACHMENT0 + index));
     outputs.forEach(({ kind, background }, index) => this.kinds[kind].clear(index, background));
-    if (mesh) this.triangles(program, width, height, laterWins);
+    if (mesh) this.triangles(this.meshes[mesh], program, width, height, laterWins);
     else gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
     const problem = gl.getError();
     if (problem) throw new Error(`expected a draw without error, got WebGL error ${problem}`);
     return written;
   }
 
-  // The mesh in its order, nearest first; of two triangles at one depth the earlier counts, or the later if told so.
-  triangles(program, width, height, laterWins) {
+  // A mesh in its order, nearest first; of two triangles at one depth the earlier counts, or the later if told so.
+  triangles(mesh, program, width, height, laterWins) {
     const { gl } = this;
     gl.bindRenderbuffer(gl.RENDERBUFFER, gl.createRenderbuffer());
     gl.renderbufferStorage(gl.RENDERBUFFER, gl.DEPTH_COMPONENT32F, width, height);
@@ -203,14 +210,14 @@ class Drawing {
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(laterWins ? gl.LEQUAL : gl.LESS);
     gl.bindVertexArray(gl.createVertexArray());
-    for (const [name, { buffer, channels }] of Object.entries(this.attributes)) {
+    for (const [name, { buffer, channels }] of Object.entries(mesh.attributes)) {
       const place = gl.getAttribLocation(program, name);
       if (place < 0) continue;
       gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
       gl.vertexAttribPointer(place, channels, gl.FLOAT, false, 0, 0);
       gl.enableVertexAttribArray(place);
     }
-    gl.drawArrays(gl.TRIANGLES, 0, this.corners.length);
+    gl.drawArrays(gl.TRIANGLES, 0, mesh.count);
     gl.bindVertexArray(null);
     gl.disable(gl.DEPTH_TEST);
   }

@@ -45,6 +45,13 @@ def unwrapped(folder):
     return data | {"mesh": data["mesh"] | {"unwrap": True}}
 
 
+def layered(folder):
+    positions, triangles, _ = sphere(8)
+    inside = written(folder / "inner.obj", positions * 0.8, triangles)
+    layers = [{"path": inside, "extinction_per_mm": [0.1, 0.2, 0.5], "phong": {"specular": 0.0}}]
+    return around(written(folder / "outer.obj", positions, triangles), 32, layers=layers)
+
+
 SCENES = {
     "figure3_with": lambda _: "figure3_with",
     "figure5": lambda _: "figure5",
@@ -54,6 +61,7 @@ SCENES = {
     "with_materials": with_materials,
     "unwrapped": unwrapped,
     "bumpy": bumpy,
+    "layered": layered,
 }
 
 

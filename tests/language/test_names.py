@@ -2,7 +2,7 @@
 
 import pytest
 
-from sss_ref.language.names import EXACT, PARTIAL, PARTIAL_SUM, TEXEL, Name
+from sss_ref.language.names import EXACT, INNER, PARTIAL, PARTIAL_SUM, TEXEL, Name
 
 WORKED = {
     "thickness": Name("thickness"),
@@ -18,6 +18,9 @@ WORKED = {
     "tap_12": Name("tap_12"),
     "tap_00_offset": Name("tap_00_offset"),
     "x": Name("x"),
+    "inner_lit": Name("lit", body=INNER),
+    "inner_partial_lit_2": Name("lit", 2, share=PARTIAL, body=INNER),
+    "inner_shadow_map_1": Name("shadow_map", 1, body=INNER),
 }
 
 
@@ -30,11 +33,12 @@ def test_a_name_is_read_and_written(text):
 def test_what_no_target_keeps_says_so():
     assert [text for text, name in WORKED.items() if name.is_register] == [
         *("texel_thickness", "texel_incident_light_2", "partial_lit_1", "partial_sum_lit_2", "exact_image"),
-        "texel_exact_irradiance",
+        *("texel_exact_irradiance", "inner_partial_lit_2"),
     ]
 
 
 def test_one_part_is_changed_at_a_time():
     assert str(Name.of("lit").of_light(2).as_share(PARTIAL)) == "partial_lit_2"
     assert str(Name.of("phong_1").of_light(0)) == "phong"
+    assert str(Name.of("phong_1").of_body(INNER)) == "inner_phong_1"
     assert str(Name.of("exact_irradiance").at(TEXEL)) == "texel_exact_irradiance"

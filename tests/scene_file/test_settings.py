@@ -5,6 +5,7 @@ from sss_ref.scene_file.layers import filled
 from sss_ref.scene_file.settings import MeshSettings, SceneFile
 
 COMMON = {
+    "layers": (),
     "method": "screen_space",
     "material": None,
     "mm_per_unit": 1.0,

@@ -53,4 +53,6 @@ def methods_with_settings():
             )
         cases.append({"method": method, "preset": "published", "translucency": {"x": [0.5, 0.4, 0.3]}})
         cases.append({"method": method, "mesh.normal_map": "any.png", "mesh.specular_map": "any.png"})
+    layer = {"path": "any", "extinction_per_mm": [0.1, 0.2, 0.3]}
+    cases += [{"layers": [layer], "lights": [{"position": [0.0, 0.0, 5.0]}] * lights} for lights in (1, 3)]
     return [(method_of(one), one) for one in map(settings_with, cases)]

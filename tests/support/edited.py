@@ -34,6 +34,7 @@ SHIPPED = {  # name -> a scene of the package, and what is different in it
     "wax from near": ("figure4_wax", {"camera.distance": 2.0}),  # the model reaches the frame
     "texture space": ("figure5", PIXELS),
     "texture space in mm": ("figure5", MM),
+    "tooth": ("teeth_layers", {}),
     "parallel": ("molar_orthographic", {}),
     "parallel on the surface": ("sphere_directional", {"method": "texture_space"}),
     "texture space as published": ("figure5", {"preset": "published"}),

@@ -73,6 +73,7 @@ UNIFORMS: dict[str, Any] = {
     "ahead": np.array([0.3, -0.2, -0.9], np.float32),
     "mm_per_unit": np.float32(15),
     "mm_per_offset": np.float32(1.2),
+    "extinction_per_mm": np.array([0.1, 0, 0.7], np.float32),
     "triangle_stretch": np.array(
         [[0.1, 0.2], [0.03, 0.1], [0, 0], [1e30, 0.7], [1, 1], [2, 0.3], [0.1, 0]], np.float32
     ),
@@ -171,7 +172,7 @@ def random_inputs(rng: np.random.Generator, width: int, height: int) -> Inputs:
     """Every buffer and uniform that stages read."""
     picture = Picture(rng, width, height)
     buffers = {**geometry(picture), **shading(picture), **shadow_map(rng), **texture_space(picture), **colors(picture)}
-    return Inputs(width, height, {**buffers, **lengths(picture), **detail(picture)}, UNIFORMS)
+    return Inputs(width, height, {**buffers, **lengths(picture), **detail(picture), **inside(picture)}, UNIFORMS)
 
 
 def geometry(picture: Picture) -> dict[str, np.ndarray]:
@@ -262,6 +263,20 @@ def lengths(picture: Picture) -> dict[str, np.ndarray]:
         "pixels_per_offset": picture.mixed(picture.rng.exponential(size=one), SCALES),
         "mm_per_texel": picture.mixed(picture.rng.exponential(size=both), [[0, 0], [1e30, 1e-30], [-1, 2]]),
         "texels_per_offset": picture.mixed(picture.rng.exponential(size=both), [[0, 0], [4096, 1], [0.5, 3]]),
+    }
+
+
+def inside(picture: Picture) -> dict[str, np.ndarray]:
+    """A body inside another one, behind the outer surface or before it, and the shadow map of the one around."""
+    rng = picture.rng
+    position = rng.uniform([-1.2, -1.2, -2], [1.2, 1.2, 0.2], (*picture.shape, 3))
+    return {
+        "light_around": picture.color(),
+        "inner_lit": picture.color(),
+        "inner_position_world": picture.mixed(position, POSITIONS),
+        "inner_coverage": picture.truth(0.7),
+        "around_distance": rng.uniform(0.3, 3, (MAP_HEIGHT, MAP_WIDTH)).astype(np.float32),
+        "around_triangle": rng.choice(np.array([-1, 0, 5], np.int32), (MAP_HEIGHT, MAP_WIDTH)),
     }
 
 

@@ -277,6 +277,34 @@ def translucency_gaussians(
     return ([_translucency(term, directly_lit, shadow_uv, translucency_neutral)[0] for term in total],)
 
 
+def light_inside(
+    light_around, shadow_uv, stored_distance, around_distance, around_triangle, extinction_per_mm, mm_per_unit
+):
+    (entered,), way = nearest(around_distance, shadow_uv), F(0)
+    if shadow_uv[0] >= 0 and nearest(around_triangle, shadow_uv)[0] >= 0:
+        way = maximum(stored_distance - entered, F(0))
+    return (_passed(light_around, way * mm_per_unit, extinction_per_mm),)
+
+
+def seen_through(
+    lit,
+    position_world,
+    inner_lit,
+    inner_position_world,
+    inner_coverage,
+    camera_position,
+    extinction_per_mm,
+    mm_per_unit,
+):
+    outer, inner = (length(minus(point, camera_position)) for point in (position_world, inner_position_world))
+    way = maximum(inner - outer, F(0)) * mm_per_unit if inner_coverage else F(0)
+    return way, added(lit, _passed(inner_lit, way, extinction_per_mm))
+
+
+def _passed(light, way, extinction_per_mm):
+    return [v * correctly_rounded(gmpy2.exp, -k * way) for v, k in zip(light, extinction_per_mm, strict=True)]
+
+
 def lit_multiply(phong, directly_lit, translucency):
     return (phong if directly_lit else scaled(phong, translucency),)
 

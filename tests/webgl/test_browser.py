@@ -56,6 +56,15 @@ def test_the_same_pixels_show_the_same_triangles_and_the_pictures_agree(scene, m
         assert np.ptp(expected[name]) > 0.05
 
 
+def test_a_body_is_seen_through_another_one():
+    expected, got = both(load_scene("teeth_layers", **SMALL))
+    for name in ("coverage", "inner_coverage"):
+        np.testing.assert_array_equal(got[name], expected[name])
+    for name in ("inner_lit", "way_to_inner", "image"):
+        apart = np.abs(got[name] - expected[name])
+        assert np.quantile(apart, 0.98) < 2e-3 * np.ptp(expected[name])
+
+
 def test_other_subpixel_bits_cover_other_pixels():
     scene = load_scene("teaching", **SMALL)
     got, fine = webgl.draw(scene, ["triangle"]), render(scene, "arrays", threads=1, keep=["triangle"])

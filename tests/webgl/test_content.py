@@ -31,8 +31,9 @@ def array(text, dtype):
 def test_a_page_holds_the_mesh_the_uniforms_and_the_shaders_of_all_passes(tmp_path):
     scene = loaded(tmp_path)
     held = content(webgl.page(scene))
-    np.testing.assert_array_equal(array(held["triangles"], "<i4"), scene.mesh.triangles.ravel())
-    np.testing.assert_array_equal(array(held["attributes"]["position"]["data"], "<f4"), scene.mesh.positions.ravel())
+    mesh = held["meshes"]["mesh"]
+    np.testing.assert_array_equal(array(mesh["triangles"], "<i4"), scene.mesh.triangles.ravel())
+    np.testing.assert_array_equal(array(mesh["attributes"]["position"]["data"], "<f4"), scene.mesh.positions.ravel())
     assert held["uniforms"]["x"] == [float(scene.settings.translucency.x)]
     assert held["uniforms"]["light_clip_from_world"] == scene.uniforms["light_clip_from_world"].ravel().tolist()
     written_names = [o["name"] for one in held["passes"] for draw in one["draws"] for o in draw["outputs"]]

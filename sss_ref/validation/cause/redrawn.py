@@ -45,7 +45,8 @@ class Redrawing:
         scene = replace(own, own_uniforms={**own.own_uniforms, **uniforms})
         machine = Machine(subpixel_bits=self.case.profile.subpixel_bits, stops=False)
         viewport, draw = machine.viewport(scene, self.this_pass), self.this_pass.draw
-        placed, _ = place(*vertices(scene, self.this_pass, there, machine), scene.mesh.triangles, viewport)
+        triangles = scene.mesh_of(self.this_pass).triangles
+        placed, _ = place(*vertices(scene, self.this_pass, there, machine), triangles, viewport)
         primitives = move(placed, viewport.step)
         primitives = only(primitives, drawable(primitives))
         piece, depth = visibility(primitives, viewport, None)

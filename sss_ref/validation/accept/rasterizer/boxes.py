@@ -67,7 +67,7 @@ def boxes_of(scene: Scene, this_pass: Pass, read: Mapping[str, KnownBuffer], pro
     clip_position, attributes = vertices(scene, this_pass, {name: read[name].exact for name in read}, machine)
     outcomes = _vertex_outcomes(scene, this_pass, read, profile)
     clip_error, attribute_error = _vertex_errors(this_pass, outcomes, clip_position, attributes)
-    viewport, triangles = machine.viewport(scene, this_pass), scene.mesh.triangles
+    viewport, triangles = machine.viewport(scene, this_pass), scene.mesh_of(this_pass).triangles
     primitives, placed = place(clip_position, attributes, triangles, viewport)
     given = triangles[primitives.triangle]
     clip_error = _with_cut_errors(clip_error, primitives, given, placed)
@@ -97,7 +97,7 @@ def _vertex_outcomes(
 ) -> Mapping[str, Outcome]:
     """What the vertex stage of a pass may write for every vertex, by name."""
     (stage,) = this_pass.draw.vertex_stages
-    mesh = scene.mesh.attributes
+    mesh = scene.mesh_of(this_pass).attributes
 
     def value(own: str, kind: Any) -> Any:
         if own in MESH_ATTRIBUTES:
