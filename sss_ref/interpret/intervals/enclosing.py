@@ -269,8 +269,8 @@ def _selected(condition: Outcome, if_true: Outcome, if_false: Outcome) -> Outcom
     doubt = np.where(truth.low, if_true.doubt, if_false.doubt)
     if not np.any(truth.undecided):
         return Outcome(value, doubt if np.any(doubt) else NO_DOUBT)
-    pairs = zip(components(if_true.value), components(if_false.value), strict=True)
-    differ = reduce(np.logical_or, [(a.low != b.low) | (a.high != b.high) for a, b in pairs])
+    apart = componentwise(lambda a, b: (a.low != b.low) | (a.high != b.high), if_true.value, if_false.value)
+    differ = reduce(np.logical_or, components(apart))
     cause = np.where(condition.doubt, condition.doubt, CONDITION)
     either = if_true.doubt | if_false.doubt | np.where(differ, cause, NO_DOUBT)
     return Outcome(value, np.where(truth.undecided, either, doubt))

@@ -34,6 +34,7 @@ from sss_ref.language import (
     stage,
     texel,
     vec2,
+    vec3,
     whole_part,
 )
 from sss_ref.language.pipeline import CLIP_POSITION, PIXEL
@@ -176,6 +177,16 @@ def chosen_by(flag: bool) -> Value:
     return Value(select(flag, 1.0, 2.0))
 
 
+class Three(NamedTuple):
+    three: vec3
+
+
+@stage(source="test")
+def beside_a_vector(x: float, v: vec3) -> Three:
+    """A choice between one number for all channels, and three."""
+    return Three(select(x > 0.5, 1.0, v))
+
+
 @stage(source="test")
 def scaled(x: float, factor: float) -> Value:
     """A product."""
@@ -269,6 +280,14 @@ def test_an_undecided_condition_takes_both_sides():
     assert got.doubt.tolist() == [0, CONDITION, 0]
     same = run_intervals(step, {**inputs, "entry": 1}, VULKAN)["value"]
     assert not same.doubt.any()
+
+
+def test_an_undecided_condition_takes_a_number_and_a_vector():
+    inputs = {"x": between([0.6, 0.4, 0.1], [0.7, 0.6, 0.2]), "v": vec3(F(1), F(7), F(0))}
+    got = run_intervals(beside_a_vector, inputs, VULKAN)["three"]
+    wanted = [[(1, 1)] * 3, [(1, 1), (1, 7), (7, 7)], [(1, 1), (0, 1), (0, 0)]]
+    assert [list(zip(part.low, part.high, strict=True)) for part in components(got.value)] == wanted
+    assert got.doubt.tolist() == [0, CONDITION, 0]
 
 
 def test_a_truth_value_is_in_doubt_where_it_is_undecided():
