@@ -22,7 +22,8 @@ def filled(data: Mapping[str, Any]) -> dict[str, Any]:
     in_mm = _is_in_mm(data)
     if name == "robust" and in_mm:
         preset = laid(preset, ROBUST_IN_MM)
-    preset = laid(preset, layer_of(data.get("material"), in_mm))
+    if name != "published":  # which has no materials; `misfits` will say so
+        preset = laid(preset, layer_of(data.get("material"), in_mm))
     camera, lights = data.get("camera"), data.get("lights")
     if isinstance(camera, Mapping) and camera.get("type") == "orthographic":
         lens = {key: value for key, value in preset.get("camera", {}).items() if key != "fov_y"}
