@@ -26,6 +26,7 @@ OWN = (
     "gaussian_variance",
     "gaussian_count",
     "translucency_neutral",
+    "wrap",
 )
 
 

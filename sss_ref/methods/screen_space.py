@@ -9,13 +9,14 @@ from sss_ref.language.pipeline import Method, Pass, ScreenDraw
 from sss_ref.methods.inner_body import inner, of_inner
 from sss_ref.methods.per_light import Lights
 from sss_ref.methods.shared import NEUTRAL, behind_the_surface, by_channel, camera_view, shadow_maps
-from sss_ref.passes import blur, blur_on_surface, composite, lengths, seen_through, translucency
+from sss_ref.passes import blur, blur_on_surface, composite, lengths, seen_through, translucency, transmittance
 from sss_ref.scene_file.settings import SceneFile
 
 COMBINE = {  # how T joins the light, and the T that changes nothing
     "multiply": (translucency.lit_multiply, 1.0),
     "add": (translucency.lit_add, 0.0),
     "transmit": (translucency.lit_transmit, 0.0),
+    "transmit_wrapped": (transmittance.lit_transmit_wrapped, 0.0),
 }
 BLUR = {"none": blur.scatter, "output": blur.scatter, "taps": blur.scatter_inside}
 BLUR_ON_SURFACE = BLUR | {"output": blur_on_surface.scatter_on_surface, "taps": blur_on_surface.scatter_inside_surface}

@@ -6,7 +6,7 @@ from sss_ref.language import Stage, vec3
 from sss_ref.language.names import Name
 from sss_ref.language.pipeline import MeshDraw, Pass
 from sss_ref.methods.per_light import Lights, of_light
-from sss_ref.passes import phong, shadow_map, translucency
+from sss_ref.passes import phong, shadow_map, translucency, transmittance
 from sss_ref.passes.camera import albedo_by_material, albedo_constant, albedo_textured, surface
 from sss_ref.passes.surface_detail import normal_mapped, specular_mapped
 from sss_ref.passes.vertex import mesh_vertex, tangent_vertex
@@ -24,6 +24,15 @@ FORM = {
     "gaussians": translucency.translucency_gaussians,
 }
 BY_CHANNEL = ("x", "y", "exponent", "d_min", "translucency", "translucency_scale")  # one number, or one a channel
+FORM_THROUGHOUT = {  # whether lit or not
+    "ratio": transmittance.translucency_ratio_throughout,
+    "exponent": transmittance.translucency_exponent_throughout,
+    "beer": transmittance.translucency_beer_throughout,
+    "gaussians": transmittance.translucency_gaussians_throughout,
+}
+INSIDE = {  # what is looked up for the point below the surface
+    name: f"inside_{name}" for name in ("shadow_uv", "shadow_valid", "stored_distance")
+}
 
 NEUTRAL = "translucency_neutral"  # the uniform with the T that leaves the colour as it is
 
@@ -67,21 +76,44 @@ def shining(settings: SceneFile, *stages: Stage) -> tuple[Stage, ...]:
     return tuple(stage.bound(specular=SHINE) if "specular" in stage.reads else stage for stage in stages)
 
 
-def shadow_test(settings: SceneFile) -> Stage:
-    """Whether the light reaches a point: a question of the surface itself, not of the normal of its map."""
-    stage = SHADOW_TEST[settings.shadow_map.test]
+def of_geometry(settings: SceneFile, stage: Stage) -> Stage:
+    """A stage that asks for the surface itself, not for the normal of its map."""
     mapped = settings.mesh.normal_map and "normal_world" in stage.reads
     return stage.bound(normal_world=UNMAPPED) if mapped else stage
 
 
-def light_at_the_surface(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
-    """For every light: what the shadow map knows of a point, whether the light reaches it, and how strong it is."""
+def is_wrapped(settings: SceneFile) -> bool:
+    """Whether light from behind reaches every fragment: in the image `sqrt` of texture space it never does."""
+    in_image = settings.method == "screen_space" or settings.irradiance_map.image == "product"
+    return settings.translucency.combine == "transmit_wrapped" and in_image
+
+
+def thickness_below(settings: SceneFile, kind: str) -> tuple[Stage, ...]:
+    """How far the light travels to what lies below a point; kind: the light's type."""
+    lookup = SHADOW_LOOKUP[settings.shadow_map.filter].bound(position_world="inside_point", **INSIDE)
+    at_entry = {name: own for name, own in INSIDE.items() if name != "shadow_uv"}
+    entered = BACK_POINT[kind].bound(position_world="inside_point", **at_entry)
+    return of_geometry(settings, transmittance.below_surface), lookup, entered
+
+
+def translucency_form(settings: SceneFile) -> Stage:
+    """The stage that computes T."""
+    if is_wrapped(settings):
+        return FORM_THROUGHOUT[settings.translucency.form].bound(shadow_uv=INSIDE["shadow_uv"])
+    return FORM[settings.translucency.form]
+
+
+def light_at_the_surface(settings: SceneFile, lights: Lights, below: bool = False) -> tuple[Stage, ...]:
+    """For every light: what the shadow map knows of a point, whether the light reaches it, and how strong it is.
+
+    below: whether the thickness is that of a point below it.
+    """
     stages: list[Stage] = []
     for light, kind, falloff in zip(lights.numbers, lights.types, lights.falloffs, strict=True):
         own = (
             SHADOW_LOOKUP[settings.shadow_map.filter],
-            BACK_POINT[kind],
-            shadow_test(settings),
+            *(thickness_below(settings, kind) if below else (BACK_POINT[kind],)),
+            of_geometry(settings, SHADOW_TEST[settings.shadow_map.test]),
             FALLOFF[falloff],
         )
         stages += [stage.renamed(of_light(light)) for stage in own]
@@ -94,8 +126,8 @@ def behind_the_surface(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]
         *surface_stages(settings),
         ALBEDO[settings.mesh.albedo],
         *((specular_mapped,) if settings.mesh.specular_map else ()),
-        *light_at_the_surface(settings, lights),
+        *light_at_the_surface(settings, lights, below=is_wrapped(settings)),
         *shining(settings, *lights.each(phong.phong_shading)),
         *lights.summed("phong"),
-        *lights.each(by_channel(settings, FORM[settings.translucency.form])),
+        *lights.each(by_channel(settings, translucency_form(settings))),
     )

@@ -7,16 +7,18 @@ from sss_ref.language.names import TEXEL, Name
 from sss_ref.language.pipeline import MeshDraw, Method, Pass, ScreenDraw
 from sss_ref.methods.per_light import Lights, of_light
 from sss_ref.methods.shared import (
+    INSIDE,
     NEUTRAL,
     behind_the_surface,
     by_channel,
     camera_view,
+    is_wrapped,
     light_at_the_surface,
     shadow_maps,
     shining,
     surface_stages,
 )
-from sss_ref.passes import blur, irradiance, lengths, shadow_map, texture_image
+from sss_ref.passes import blur, irradiance, lengths, shadow_map, texture_image, transmittance
 from sss_ref.passes.vertex import layout_vertex, tangent_layout_vertex
 from sss_ref.scene_file.settings import SceneFile
 
@@ -50,13 +52,7 @@ LENGTHS_FILLED = irradiance.dilate.retyped(irradiance=Texture[vec2], irradiance_
 def texture_space(settings: SceneFile) -> Method:
     """The passes, each named alternative of the scene file put in as the stage it stands for."""
     lights = Lights(settings)
-    join, neutral = USED[settings.irradiance_map.image]
-    used = (
-        *lights.each(texture_image.irradiance_lookup),
-        *lights.each(by_channel(settings, join)),
-        *lights.summed("irradiance_used"),
-    )
-    camera = (*behind_the_surface(settings, lights), *used, *image(settings, lights))
+    camera = (*behind_the_surface(settings, lights), *used(settings, lights), *image(settings, lights))
     return Method(
         "texture_space",
         passes=(
@@ -65,7 +61,7 @@ def texture_space(settings: SceneFile) -> Method:
             *(each for light in lights.numbers for each in scattered(settings, light)),
             Pass("camera", "camera", camera_view(settings), camera, registers=("gloss",)),
         ),
-        constants={NEUTRAL: neutral},
+        constants={NEUTRAL: USED[settings.irradiance_map.image][1]},
     )
 
 
@@ -128,6 +124,16 @@ def scattered(settings: SceneFile, light: int) -> tuple[Pass, Pass]:
         draw = ScreenDraw("irradiance_filled_mask")
     blurred = Pass(str(Name("irradiance_blur", light)), "irradiance_map", draw, (stage,))
     return filled.renamed(of_light(light)), blurred.renamed(of_light(light))
+
+
+def used(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
+    """The irradiance that a fragment takes from the map: where it looks it up for light from behind, and the sum."""
+    look_up, join = texture_image.irradiance_lookup, USED[settings.irradiance_map.image][0]
+    if is_wrapped(settings):
+        there = {name: INSIDE[name] for name in ("shadow_uv", "shadow_valid")}
+        look_up = transmittance.irradiance_lookup_throughout.bound(**there)
+        join = transmittance.irradiance_added_wrapped
+    return (*lights.each(look_up), *lights.each(by_channel(settings, join)), *lights.summed("irradiance_used"))
 
 
 def image(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:

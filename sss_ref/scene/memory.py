@@ -15,6 +15,7 @@ from sss_ref.scene_file import scattering, settings, viewpoints
 from sss_ref.scene_file.presets import PRESETS
 
 MEMORY_LIMIT = 4 * 2**30  # bytes
+DECIDE = {"translucency": ["combine"], "blur": ["unit"], "irradiance_map": ["image"]}  # which buffers there are
 TEXTURE_BYTES = 12  # per texel: linear RGB, float32
 
 
@@ -53,12 +54,11 @@ def check_memory(tables: Mapping[str, Any], pictures: Mapping[KeyPath, tuple[int
 def _plainest(tables: Mapping[str, Any]) -> settings.SceneFile:
     """Settings with what decides which buffers there are, and all else as the preset has it."""
     chosen = tables.get("preset", "paper")
-    preset = {name: PRESETS[chosen][name] for name in ("translucency", "blur", "irradiance_map")}
-    if chosen != "published" and "blur" in tables:
-        preset["blur"] = {**preset["blur"], "unit": tables["blur"].unit}
+    preset = {name: dict(PRESETS[chosen][name]) for name in DECIDE}
+    for name in DECIDE.keys() & tables.keys() if chosen != "published" else ():
+        preset[name] |= {key: getattr(tables[name], key) for key in DECIDE[name]}
     if "translucency" in tables:
-        three = (1.0,) * 3 if tables["translucency"].by_channel else 1.0
-        preset["translucency"] = {**preset["translucency"], "scale": three}
+        preset["translucency"]["scale"] = (1.0,) * 3 if tables["translucency"].by_channel else 1.0
     return settings.SceneFile.model_construct(
         method=tables.get("method", "screen_space"),
         preset=chosen,

@@ -16,6 +16,7 @@ from sss_ref.scene_file.quantities import (
     OneOrThree,
     Positive,
     PositiveOrZero,
+    Share,
     Table,
     TapRow,
     requiring,
@@ -46,9 +47,12 @@ class TranslucencySettings(Table):
     form: Literal["ratio", "exponent", "beer", "gaussians"]
     """ratio: x^y / d^exponent; exponent: x^(y / d^exponent); beer: exp(-x * d); gaussians: for each channel the sum of
     w * exp(-d^2 / v), d in mm."""
-    combine: Literal["multiply", "add", "transmit"]
-    """multiply: the reflected light is scaled by T; add: T is added, less where the light is faced;
-    transmit: T is added where the surface faces away."""
+    combine: Literal["multiply", "add", "transmit", "transmit_wrapped"]
+    """multiply: the reflected light is scaled by T; add: T is added, less where the light is faced; transmit: T is
+    added where the surface faces away; transmit_wrapped: beyond that, as far as wrap says, lit or not."""
+    wrap: Share = 0.3
+    """How far light from behind goes round to the lit side with combine "transmit_wrapped": up to N.L = wrap
+    (Jimenez et al. 2010)."""
     x: OneOrThree[Positive]
     """Base (beer: extinction per scene unit)."""
     y: OneOrThree[Number]

@@ -114,6 +114,8 @@ class ShadowMap(Table):
     """Constant part of the bias, scene units."""
     bias_slope: NonNegative = 1.5
     """Factor on the depth that one texel spans."""
+    lookup_depth: NonNegative = 6.0
+    """Widths of a texel by which a point lies below the surface for its thickness, with combine "transmit_wrapped"."""
     encoding: Literal["float32", "unorm8"] = "float32"
     """What a texel can hold: any number, or 256 steps from 0 to 1; unorm8 is also that of irradiance, lit and image."""
     lookup_stage: Literal["fragment", "vertex"] = "fragment"

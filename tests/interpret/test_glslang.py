@@ -36,11 +36,15 @@ CHOICES = {
         {"combine": combine, "scale": [0.2, 0.3, 0.4]}
         for combine in alternatives(scattering.TranslucencySettings, "combine")
     )
-    + tuple({"form": form, "x": [2.0, 1.5, 1.0]} for form in alternatives(scattering.TranslucencySettings, "form")),
+    + tuple({"form": form, "x": [2.0, 1.5, 1.0]} for form in alternatives(scattering.TranslucencySettings, "form"))
+    + tuple(
+        {"form": form, "combine": "transmit_wrapped"} for form in alternatives(scattering.TranslucencySettings, "form")
+    ),
     "lights": ([{"position": [0.0, 0.0, 5.0]}] * 2, [{"position": [0.0, 0.0, 5.0], "falloff": "inverse_square"}]),
     "irradiance_map.mode": alternatives(settings.IrradianceMap, "mode"),
     "irradiance_map.image": alternatives(settings.IrradianceMap, "image"),
 }
+TOGETHER = {"irradiance_map.image": "product", "translucency.combine": "transmit_wrapped"}
 
 
 COMMANDS = {  # per file; the compiler for HLSL makes SPIR-V, whose bindings the file need not have
@@ -61,6 +65,7 @@ def shaders(dialect):
     cases = [
         {"method": method, key: value} for method in METHODS for key, values in CHOICES.items() for value in values
     ]
+    cases += [{"method": method, **TOGETHER} for method in METHODS]
     methods = [method_of(settings_with(case)) for case in cases]
     files = [
         item

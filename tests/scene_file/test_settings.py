@@ -57,6 +57,7 @@ COMMON = {
         "test": "slope",
         "bias_abs": 0.0,
         "bias_slope": 1.5,
+        "lookup_depth": 6.0,
         "encoding": "float32",
         "lookup_stage": "fragment",
     },
@@ -76,6 +77,7 @@ BY_PRESET = {
             "scale": 1.0,
             "d_min": 0.1,
             "gaussians": "skin",
+            "wrap": 0.3,
         },
         "blur": {"kernel": "table1", "mask": "output", "pixel_scale": 1.0, **IN_PIXELS},
         "irradiance_map": {
@@ -97,6 +99,7 @@ BY_PRESET = {
             "scale": 0.2,
             "d_min": 0.1,
             "gaussians": "skin",
+            "wrap": 0.3,
         },
         "blur": {"kernel": "hbh09", "mask": "taps", "pixel_scale": 2.0, **IN_PIXELS},
         "irradiance_map": {
@@ -119,6 +122,7 @@ BY_PRESET = {
             "test": "exact",
             "bias_abs": 0.0,
             "bias_slope": 1.5,
+            "lookup_depth": 6.0,
             "encoding": "unorm8",
             "lookup_stage": "vertex",
         },
@@ -131,6 +135,7 @@ BY_PRESET = {
             "scale": 1.0,
             "d_min": 0.0,
             "gaussians": "skin",
+            "wrap": 0.3,
         },
         "blur": {"kernel": "schoenberger", "mask": "none", "pixel_scale": 1.0, **IN_PIXELS},
         "irradiance_map": {

@@ -334,6 +334,57 @@ def lit_transmit(
     return (added(reflected, scaled(times(albedo, incident_light), factor)),)
 
 
+# Light from behind that goes round the terminator
+
+
+def below_surface(position_world, normal_world, light_clip_from_world, light_texel_size, lookup_depth):
+    w = transform(light_clip_from_world, [*position_world, F(1)])[3]
+    return (minus(position_world, scaled(normal_world, lookup_depth * (maximum(w, F(0)) * light_texel_size))),)
+
+
+def translucency_ratio_throughout(thickness, shadow_uv, x, y, exponent, d_min, translucency_neutral):
+    return translucency_ratio(thickness, False, shadow_uv, x, y, exponent, d_min, translucency_neutral)
+
+
+def translucency_exponent_throughout(thickness, shadow_uv, x, y, exponent, d_min, translucency_neutral):
+    return translucency_exponent(thickness, False, shadow_uv, x, y, exponent, d_min, translucency_neutral)
+
+
+def translucency_beer_throughout(thickness, shadow_uv, x, translucency_neutral):
+    return translucency_beer(thickness, False, shadow_uv, x, translucency_neutral)
+
+
+def translucency_gaussians_throughout(
+    thickness, shadow_uv, gaussian_weight, gaussian_variance, gaussian_count, mm_per_unit, translucency_neutral
+):
+    terms = gaussian_weight, gaussian_variance, gaussian_count
+    return translucency_gaussians(thickness, False, shadow_uv, *terms, mm_per_unit, translucency_neutral)
+
+
+def _wrapped(position_world, normal_world, light_position, wrap):
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    return maximum(wrap - facing, F(0)) / (F(1) + wrap)
+
+
+def lit_transmit_wrapped(
+    phong,
+    albedo,
+    directly_lit,
+    translucency,
+    incident_light,
+    position_world,
+    normal_world,
+    light_position,
+    translucency_scale,
+    wrap,
+    ambient,
+    light_count,
+):
+    reflected = phong if directly_lit else scaled(albedo, ambient / light_count)
+    factor = (translucency * translucency_scale) * _wrapped(position_world, normal_world, light_position, wrap)
+    return (added(reflected, scaled(times(albedo, incident_light), factor)),)
+
+
 # Blur
 
 
@@ -445,6 +496,10 @@ def irradiance_lookup(uv, directly_lit, shadow_valid, shadow_uv, light_uv):
     return (nearest(light_uv, shadow_uv) if shadow_valid and not directly_lit else uv,)
 
 
+def irradiance_lookup_throughout(uv, shadow_valid, shadow_uv, light_uv):
+    return (nearest(light_uv, shadow_uv) if shadow_valid else uv,)
+
+
 def _irradiance_at(scattered_irradiance, uv):
     on_map = [min(max(v, F(0)), F(1)) for v in uv]
     return bilinear(scattered_irradiance, *between_centres(scattered_irradiance, on_map))
@@ -468,6 +523,22 @@ def irradiance_added(
 ):
     facing = dot(normal_world, normalize(minus(light_position, position_world)))
     factor = (translucency * translucency_scale) * maximum(-facing, F(0))
+    through = scaled(_irradiance_at(scattered_irradiance, irradiance_uv), factor)
+    return (added(_irradiance_at(scattered_irradiance, uv), through),)
+
+
+def irradiance_added_wrapped(
+    uv,
+    irradiance_uv,
+    translucency,
+    translucency_scale,
+    wrap,
+    position_world,
+    normal_world,
+    light_position,
+    scattered_irradiance,
+):
+    factor = (translucency * translucency_scale) * _wrapped(position_world, normal_world, light_position, wrap)
     through = scaled(_irradiance_at(scattered_irradiance, irradiance_uv), factor)
     return (added(_irradiance_at(scattered_irradiance, uv), through),)
 

@@ -16,6 +16,13 @@ from sss_ref.passes.translucency import (
     translucency_exponent,
     translucency_ratio,
 )
+from sss_ref.passes.transmittance import (
+    irradiance_added_wrapped,
+    lit_transmit_wrapped,
+    translucency_beer_throughout,
+    translucency_exponent_throughout,
+    translucency_ratio_throughout,
+)
 
 PER_FRAGMENT = {"pixel_scale": "pixels_per_offset"}
 BY_AXIS = {"pixel_scale": "texels_per_offset"}
@@ -28,8 +35,25 @@ def by_channel(stage):
     return stage.retyped(**dict.fromkeys(own, vec3)).bound(**other_names)
 
 
-IN_COLOR = (translucency_ratio, translucency_exponent, translucency_beer, translucency_unclamped)
-JOINED = (lit_multiply, lit_add, lit_transmit, irradiance_replaced, irradiance_added, image_sqrt_add)
+IN_COLOR = (
+    translucency_ratio,
+    translucency_exponent,
+    translucency_beer,
+    translucency_ratio_throughout,
+    translucency_exponent_throughout,
+    translucency_beer_throughout,
+    translucency_unclamped,
+)
+JOINED = (
+    lit_multiply,
+    lit_add,
+    lit_transmit,
+    lit_transmit_wrapped,
+    irradiance_replaced,
+    irradiance_added,
+    irradiance_added_wrapped,
+    image_sqrt_add,
+)
 
 RETYPED = {
     **{f"{stage.name}-by-channel": by_channel(stage) for stage in (*IN_COLOR, *JOINED)},

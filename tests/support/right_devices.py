@@ -139,7 +139,8 @@ def scene_by_chance(folder, rng):
         tables["blur"]["mask"] = str(rng.choice(["none", "output", "taps"]))
         tables["irradiance_map"] |= {"mode": str(rng.choice(["paper", "lambert", "distance"]))}
         tables["irradiance_map"] |= {"dilate": int(rng.integers(0, 5))}
-        form, combine = str(rng.choice(["ratio", "exponent", "beer"])), str(rng.choice(["multiply", "add", "transmit"]))
+        form = str(rng.choice(["ratio", "exponent", "beer"]))
+        combine = str(rng.choice(["multiply", "add", "transmit", "transmit_wrapped"]))
         tables["translucency"] = {"form": form, "combine": combine}
     scene = around(path, 64, **tables)
     scene["camera"] |= extent() | {"azimuth": int(rng.integers(0, 360)), "elevation": int(rng.integers(-60, 60))}

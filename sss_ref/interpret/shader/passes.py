@@ -160,8 +160,9 @@ def _call(stage: Stage, reads: Reads, used: set[str], dialect: Dialect) -> list[
     if len(wanted) == 1:
         ((own, name),) = wanted.items()
         return [f"{dialect.declared(stage.outputs[own], name)} = {call}.{dialect.name(own)};"]
-    own, name = next(iter(stage.writes.items()))
-    result = dialect.name(str(replace(Name.of(name), base=f"{stage.name}_result")))  # numbered as its values are
+    own, first = next((own, Name.of(name)) for own, name in stage.writes.items())
+    called = stage.name if first.base == own else first.base  # a pass may have a stage twice, bound to other names
+    result = dialect.name(str(replace(first, base=f"{called}_result")))  # numbered as its values are
     taken = [
         f"{dialect.declared(stage.outputs[own], name)} = {result}.{dialect.name(own)};" for own, name in wanted.items()
     ]
