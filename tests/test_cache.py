@@ -5,7 +5,7 @@ import tracemalloc
 from pathlib import Path
 
 import pytest
-from fresh_process import hashes_elsewhere, machine_code
+from fresh_process import hashes_and_words, hashes_elsewhere, machine_code
 from scenes import around, cube, sphere, written
 
 import sss_ref
@@ -45,6 +45,40 @@ def test_an_edited_callee_is_compiled_anew(package, tmp_path):
     assert after.keys() == before.keys() == {"position_world"}
     assert after != before
     assert code.items() < machine_code(cache).items()
+
+
+def test_an_edit_leaves_the_machine_code_of_what_does_not_import_it(package, tmp_path):
+    scene = around(written(tmp_path / "cube.obj", *cube()), size=32)
+    cache = tmp_path / "cache"
+    before = hashes_elsewhere(scene, cache, keep=KEEP, package=package)
+    code = machine_code(cache)
+    for name in ("passes/camera.py", "results/diff.py", "interpret/kernel/planned.py"):
+        edited = package / "sss_ref" / name
+        edited.write_text(edited.read_text() + "\n# A remark.\n")
+    assert hashes_elsewhere(scene, cache, keep=KEEP, package=package) == before
+    assert machine_code(cache) == code
+
+
+@pytest.mark.parametrize("damage", ["cut off", "emptied", "one bit"])
+def test_a_damaged_file_is_told_and_written_again(tmp_path, damage):
+    scene = around(written(tmp_path / "cube.obj", *cube()), size=32)
+    cache = tmp_path / "cache"
+    before, said = hashes_and_words(scene, cache, keep=KEEP)
+    code = machine_code(cache)
+    assert said == ""
+    for path in code:
+        content = bytearray(path.read_bytes())
+        content[len(content) // 2] ^= 4
+        path.write_bytes({"cut off": content[: len(content) // 2], "emptied": b"", "one bit": content}[damage])
+    hashes, said = hashes_and_words(scene, cache, keep=KEEP)
+    assert hashes == before
+    told = said.splitlines()
+    assert len(told) == len({line.partition(":")[0] for line in told}) > 10
+    assert all(
+        line.endswith("expected a whole file, got a damaged one; it is compiled and written again") for line in told
+    )
+    assert hashes_and_words(scene, cache, keep=KEEP) == (before, "")
+    assert machine_code(cache).keys() == code.keys()
 
 
 @pytest.mark.parametrize("preset", ["paper", "robust"])

@@ -12,6 +12,7 @@ import scene_reference
 import stage_reference
 
 from sss_ref.cache.compiled import fingerprint
+from sss_ref.cache.kernel_sources import PACKAGE
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 
@@ -29,8 +30,9 @@ def texts() -> dict[str, str]:
 
 def what_notebooks_run() -> str:
     """A hash of the package and of the modules beside the notebooks: with another, their results are out of date."""
-    modules = b"".join(path.read_bytes() for path in sorted(NOTEBOOKS.glob("[!0-9]*.py")))
-    return hashlib.sha256(fingerprint().encode() + modules).hexdigest()[:16]
+    sources = [*sorted(NOTEBOOKS.glob("[!0-9]*.py")), *sorted(PACKAGE.rglob("*.py"))]
+    texts = b"".join(path.read_bytes() for path in sources)
+    return hashlib.sha256(fingerprint().encode() + texts).hexdigest()[:16]
 
 
 def write(folder: Path) -> None:

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 from rich.markup import escape
@@ -19,7 +19,6 @@ if TYPE_CHECKING:
     from sss_ref.scene.scene import Scene
 
 HASH_DIGITS = 12
-CUTTING_FAR = 4.2  # scene units: a far plane through the middle of the default scene's mesh
 
 
 def render(
@@ -51,27 +50,14 @@ def render(
 
 
 def warmup() -> int:
-    """Compile the kernels of the default scene with every preset, so that later renderings start at once."""
+    """Compile the kernels of all stages, so that every later rendering starts at once."""
     from sss_ref.cache.compiled import cache_folder
-    from sss_ref.rendering.fold import render as render_scene
-    from sss_ref.scene.load import load_scene
-    from sss_ref.scene_file.presets import FIXED
+    from sss_ref.rendering.warming import steps
 
-    first_light = {"position": load_scene("default").settings.lights[0].position}
-    small = {f"{table}.{side}": 64 for table in ("camera", "shadow_map") for side in ("width", "height")}
-    variants: list[dict[str, Any]] = [
-        {"preset": "paper"},
-        {"preset": "robust"},
-        {"preset": "published", "lights": [first_light], **FIXED},
-        {"camera.far": CUTTING_FAR},  # so that the clipper is compiled as well
-    ]
     start = time.perf_counter()
     with progress("compiling kernels") as show:
-        for variant in variants:
-            scene = load_scene("default", **small, **variant)
-            for keep in ("all", "final"):
-                show(f"compiling kernels: {scene.settings.preset}, {keep}")
-                render_scene(scene, keep=keep)
+        for step in steps():
+            show(f"compiling kernels: {step}")
     place = cache_folder() or "nowhere: no folder can be written to, see SSS_REF_CACHE_DIR"
     out.print(f"kernels ready after {time.perf_counter() - start:.1f} s, kept in {escape(str(place))}")
     return 0

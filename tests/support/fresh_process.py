@@ -10,8 +10,13 @@ import sys
 from pathlib import Path
 
 
-def hashes_elsewhere(scene, cache, threads=0, keep="all", package=Path(__file__).parents[2], **environment):
+def hashes_elsewhere(scene, cache, **settings):
     """Buffer -> hash as a new process with its own cache folder, settings and copy of the package computes them."""
+    return hashes_and_words(scene, cache, **settings)[0]
+
+
+def hashes_and_words(scene, cache, threads=0, keep="all", package=Path(__file__).parents[2], **environment):
+    """The same, and what that process said to standard error."""
     own = {"SSS_REF_CACHE_DIR": str(cache), "PYTHONPATH": str(package), "PYTHONDONTWRITEBYTECODE": "1"}
     done = subprocess.run(
         [sys.executable, __file__, json.dumps(scene), str(threads), json.dumps(keep)],
@@ -23,12 +28,12 @@ def hashes_elsewhere(scene, cache, threads=0, keep="all", package=Path(__file__)
     assert done.returncode == 0, done.stderr
     printed = json.loads(done.stdout)
     assert Path(printed.pop("package")) == Path(package) / "sss_ref"
-    return printed
+    return printed, done.stderr
 
 
 def machine_code(cache):
-    """The files that numba has written below a cache folder -> when."""
-    return {path: path.stat().st_mtime_ns for path in Path(cache).rglob("*.nb[ic]")}
+    """The files of kernels below a cache folder -> when they were written."""
+    return {path: path.stat().st_mtime_ns for path in Path(cache).rglob("*.kernel")}
 
 
 def main():

@@ -157,3 +157,5 @@ def varying(scratch, count, rows, uniforms, tables):
 
 
 TAKES, PUTS = {bool: take_bytes, ivec2: take_whole}, {bool: put_bytes, ivec2: put_whole}  # else: take_words, put_words
+MOVES = (take_words, take_bytes, take_whole, put_words, put_bytes, put_whole, clear_words, clear_bytes)
+ALL = (*MOVES, same, triangle, weights, varying)

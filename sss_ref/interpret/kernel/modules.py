@@ -1,17 +1,13 @@
-"""The modules of stages: written into the cache folder, so that their machine code is kept, and imported from there."""
+"""The modules of stages: their sources, which no file holds, and what is compiled from them, once for all passes."""
 
 import hashlib
-import importlib.util
 import linecache
-import os
 import sys
 from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from sss_ref.cache.compiled import cache_folder
 from sss_ref.interpret.kernel.elementary_rows import ELEMENTARY_ROWS
 from sss_ref.interpret.kernel.row_function import row_function
 from sss_ref.interpret.kernel.source import StageSource
@@ -58,24 +54,17 @@ def code_of(stage: Stage, uniform: frozenset[str]) -> StageCode:
 
 @cache
 def imported(source: str, name: str) -> ModuleType:
-    """The module of this source, from the cache folder if there is one."""
+    """The module of this source, which is in no file."""
     module_name = f"sss_ref_{name}_{hashlib.sha256(source.encode()).hexdigest()[:16]}"
-    folder = cache_folder()
-    path = _written(folder / f"{module_name}.py", source) if folder else f"<{module_name}>"
-    spec = importlib.util.spec_from_loader(module_name, loader=None, origin=str(path))
-    assert spec is not None
-    module = importlib.util.module_from_spec(spec)
-    module.__file__ = str(path)
-    linecache.cache[str(path)] = (len(source), None, source.splitlines(keepends=True), str(path))
-    sys.modules[module_name] = module  # numba looks a cached function's module up by name
-    exec(compile(source, str(path), "exec"), module.__dict__)
+    path = f"<{module_name}>"
+    module = ModuleType(module_name)
+    module.__file__ = path
+    linecache.cache[path] = (
+        len(source),
+        None,
+        source.splitlines(keepends=True),
+        path,
+    )  # for whoever asks for its lines
+    sys.modules[module_name] = module  # numba looks a kept function's module up by name
+    exec(compile(source, path, "exec"), module.__dict__)
     return module
-
-
-def _written(path: Path, source: str) -> Path:
-    """The file, written whole if it is not there yet: numba drops its cache when a source file's time changes."""
-    if not path.exists():
-        part = path.with_suffix(f".{os.getpid()}.part")
-        part.write_text(source)
-        part.replace(path)
-    return path

@@ -67,7 +67,7 @@ class StageSource:
     def part(self, part: int) -> None:
         """One loop over the fragments."""
         lines = self.rows.lines_of(part)
-        singles = [name for call in self.rows.calls_after(part) if is_single(call) for name in call.uses]
+        singles = [name for call in self.rows.calls_after(part) if is_single(call) for name in sorted(call.uses)]
         written = self.rows.handed_on(part)
         if lines or singles:
             function = RowFunction(self.rows)

@@ -16,7 +16,8 @@ PRINT_SOURCES = """
 import hashlib
 from sss_ref.interpret.kernel.source import StageSource
 from sss_ref.methods.stages import all_stages
-texts = [StageSource(stage, set()).text for stage in all_stages().values()]
+uniform = {"x", "y", "exponent", "d_min", "translucency_neutral"}
+texts = [StageSource(stage, each).text for stage in all_stages().values() for each in (set(), uniform)]
 print(hashlib.sha256("".join(texts).encode()).hexdigest())
 """
 OF_THE_MATERIAL = {"x", "y", "exponent", "d_min", "translucency_neutral"}
