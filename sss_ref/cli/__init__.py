@@ -33,7 +33,8 @@ app.command("sss_ref.cli.mapping_command:mapping", name="mapping", help=MAPPING)
 def main(tokens: list[str] | None = None) -> int:
     """Run the command line; returns the exit code.
 
-    0, or 1 where `verify`, `diff` or `validate` finds a difference or an item of `batch` failed, or 2 for bad input.
+    0, or 1 where `verify`, `diff` or `validate` finds a difference or an item of `batch` failed, or 2 for bad input,
+    and where nothing was judged.
     """
     try:
         return app(tokens, exit_on_error=False, error_console=err) or 0

@@ -10,12 +10,14 @@ from sss_ref.cli.console import DIFFERS, announce_compilation, err, out, progres
 from sss_ref.cli.options import KERNELS, NO_CHANGES, NO_HASTE, Changes, Execution, Haste
 from sss_ref.cli.verdicts import print_report
 from sss_ref.errors import DumpError
+from sss_ref.errors.wording import told
 
 if TYPE_CHECKING:
     import numpy as np
 
     from sss_ref.scene.scene import Scene
     from sss_ref.validation.accept.dumped import Drawing
+    from sss_ref.validation.report.report import Report
 
 
 def validate(
@@ -53,7 +55,8 @@ def validate(
 ) -> int:
     """Hold what a GPU drew against the stages, one at a time, and name the first that is wrong.
 
-    Every stage gets what was drawn before it, so an error counts where it is made. Exit code 1 if a stage is wrong.
+    Every stage gets what was drawn before it, so an error counts where it is made. Exit code 1 if a stage is wrong, 2
+    if nothing could be judged.
     """
     from sss_ref.rendering.fold import render
     from sss_ref.scene.load import load_scene
@@ -80,12 +83,19 @@ def validate(
         if metrics:
             with clock.phase("metrics"):
                 found = replace(found, likeness=tuple(likeness(oracle, drawing.buffers)))
-    print_report(found)
+    if found.judged:
+        print_report(found)
     if report:
         out.print(f"{write_report(found, report, f'{scene}: is it right?')}", markup=False)
     if junit:
         out.print(f"{write_junit(found, junit, scene)}", markup=False)
+    if not found.judged:
+        raise DumpError(_nothing_judged(found, "--run-glsl" if run_glsl else str(dump)))
     return 0 if found.passed else DIFFERS
+
+
+def _nothing_judged(found: "Report", where: str) -> str:
+    return told(where, "a buffer with pixels to judge", found.nothing, "give other buffers, or more, or another view")
 
 
 def _drawn(scene: "Scene", shaders: Path | None) -> "Drawing":

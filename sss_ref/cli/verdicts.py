@@ -47,10 +47,15 @@ def _table(found: "Report") -> Table:
     for name in ("pixels", "same bits", *OUTCOMES, "outside", "chained", "width"):
         table.add_column(name, justify="right", no_wrap=True)
     for one in found.verdicts:
-        table.add_row(*_cells(one), style="yellow" if one.inherits else None if one.passed else "red")
+        table.add_row(*_cells(one), style=_style(one))
     table.caption = "width: of the interval in which a value is right, in ulp; of 95 % of the values at most so much"
     table.caption_justify = "left"
     return table
+
+
+def _style(one: "Verdict") -> str | None:
+    styles = (("yellow", one.inherits), ("red", one.failed), ("dim", one.empty))
+    return next((style for style, holds in styles if holds), None)
 
 
 def _worst_pixel(section: "Section") -> Table:

@@ -97,7 +97,7 @@ def judge(
     for check, verdict in _verdicts(case, only, scope.stage, clock):
         verdicts.append(verdict)
         compared[check.buffer] = check
-        if scope.causes and finding is None and not verdict.passed:
+        if scope.causes and finding is None and verdict.failed:
             with clock.phase("hypotheses"):
                 finding = _finding(case, check, verdict, scope.seconds)
     with clock.phase("chained"):
@@ -124,7 +124,7 @@ def _verdicts(case: Case, only: np.ndarray | None, stage: str | None, clock: Clo
             if only is not None and check.where.shape == only.shape:
                 check = check.only_at(only)
             verdict = judged(check, whereabouts)
-            if not verdict.passed:
+            if verdict.failed:
                 doubtful = suspects(method, check.pass_name, check.buffer, buffers)
                 verdict = replace(verdict, suspects=doubtful)
         yield check, verdict

@@ -1,11 +1,15 @@
 """Dumps that say nothing, on the command line: a message and exit code 2, or a failure; never a pass or a traceback."""
 
+import json
+from xml.etree.ElementTree import parse
+
 import numpy as np
 import pytest
 
 from sss_ref.cli import main
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
+from sss_ref.validation.stage_by_stage import assert_valid
 
 SIZES = [f"{table}.{side}" for table in ("camera", "shadow_map") for side in ("width", "height")]
 SMALL = [part for size in SIZES for part in ("--set", f"{size}=32")] + ["--interpreter", "arrays"]
@@ -74,6 +78,56 @@ def test_both_blank(judged, buffers):
     blank = {"image": np.full_like(buffers["image"], scene.settings.output.background)}
     code, _, told = judged(blank, changes=away)
     assert code == 2 and "expected a mesh that covers some of the pixels judged, got none; change the view" in told
+
+
+AWAY = ["--set", "lights.0.target=[9,9,9]", "--set", "lights.0.fov_y=10"]  # a shadow map on which nothing is drawn
+
+
+@pytest.fixture(scope="module")
+def beside_the_light():
+    turned = {"lights.0.target": [9, 9, 9], "lights.0.fov_y": 10, **dict.fromkeys(SIZES, 32)}
+    return dict(render(load_scene("sphere", **turned), interpreter="arrays").buffers)
+
+
+@pytest.mark.parametrize("profile", ["ieee", "vulkan"])
+def test_a_buffer_without_pixels_to_judge_neither_passes_nor_fails(judged, beside_the_light, tmp_path, profile):
+    files = [*("--report", str(tmp_path / "page")), *("--junit", str(tmp_path / "junit.xml"))]
+    code, printed, _ = judged(beside_the_light, changes=[*AWAY, "--profile", profile, *files])
+    assert code == 0 and "gives what it should; empty, without a pixel to judge: light_distance\n" in printed
+    told = json.loads((tmp_path / "page" / "report.json").read_text())
+    assert told["passed"] and told["empty"] == ["light_distance"]
+    assert [one["buffer"] for one in told["buffers"] if one["empty"]] == ["light_distance"]
+    assert not any(one["passed"] for one in told["buffers"] if one["empty"])
+    assert '<tr class="empty"><td>light_distance' in (tmp_path / "page" / "report.html").read_text()
+    (skipped,) = parse(tmp_path / "junit.xml").iterfind(".//testcase[skipped]")
+    assert skipped.get("name") == "light_distance"
+
+
+def test_a_run_in_which_nothing_was_judged(judged, beside_the_light, tmp_path):
+    changes = [*AWAY, "--junit", str(tmp_path / "junit.xml")]
+    code, printed, told = judged({"light_distance": beside_the_light["light_distance"]}, changes=changes)
+    assert code == 2 and printed == f"{tmp_path / 'junit.xml'}\n"
+    (line,) = (line for line in told.splitlines() if line.startswith("error: "))
+    expected = "expected a buffer with pixels to judge, got no pixel that can be judged, of light_distance; give other"
+    assert line.startswith(f"error: {tmp_path}: {expected}")
+    assert parse(tmp_path / "junit.xml").getroot().get("errors") == "1"
+
+
+def test_an_empty_buffer_with_a_wrong_background_fails(judged, beside_the_light):
+    cleared = {"light_distance": np.zeros_like(beside_the_light["light_distance"])}
+    code, printed, _ = judged(cleared, changes=AWAY)
+    assert code == 1 and "in light_distance, where nothing is drawn 0.0 stands" in printed
+
+
+def test_a_stage_of_which_nothing_was_given(judged, buffers):
+    code, printed, told = judged({"image": buffers["image"]}, changes=["--only", "back_point"])
+    assert code == 2 and not printed and "got no buffer of stage back_point to judge" in told
+
+
+def test_in_a_test_nothing_that_can_be_judged_is_no_pass(beside_the_light):
+    scene = load_scene("sphere", **{"lights.0.target": [9, 9, 9], "lights.0.fov_y": 10, **dict.fromkeys(SIZES, 32)})
+    with pytest.raises(AssertionError, match=r"empty: no pixel that can be judged, of light_distance"):
+        assert_valid(scene, {"light_distance": beside_the_light["light_distance"]})
 
 
 def test_a_region_that_shows_nothing(judged, buffers):

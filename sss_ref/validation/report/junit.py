@@ -34,9 +34,9 @@ def write_junit(report: Report, path: Path, scene: str) -> Path:
 
 
 def _suites(report: Report, scene: str) -> Element:
-    failures = sum(not one.passed for one in report.verdicts) or int(not report.passed)
-    cases = len(report.verdicts) + len(report.missing) + (not report.verdicts)
-    counts = {"tests": str(cases), "failures": str(failures), "errors": "0", "skipped": str(len(report.missing))}
+    failures, errors = sum(one.failed for one in report.verdicts), int(not report.judged)
+    cases, skipped = len(report.verdicts) + len(report.missing) + errors, len(report.missing) + len(report.empty)
+    counts = {"tests": str(cases), "failures": str(failures), "errors": str(errors), "skipped": str(skipped)}
     counts["time"] = f"{sum(report.seconds.values()):.3f}"
     root = Element("testsuites", counts)
     suite = SubElement(root, "testsuite", {"name": _plain(f"sss_ref {scene}"), **counts})
@@ -47,8 +47,8 @@ def _suites(report: Report, scene: str) -> Element:
         _add_verdict(suite, report, verdict)
     for name in report.missing:
         SubElement(_case(suite, "not_given", name), "skipped", message="not given")
-    if not report.verdicts:
-        SubElement(_case(suite, "validate", "buffers"), "failure", message=report.summary)
+    if not report.judged:
+        SubElement(_case(suite, "validate", "buffers"), "error", message=_plain(report.summary))
     return root
 
 
@@ -59,7 +59,9 @@ def _case(suite: Element, group: str, name: str) -> Element:
 def _add_verdict(suite: Element, report: Report, verdict: Verdict) -> None:
     """A case, named after its pass, stage and buffer; of the first wrong one the failure tells all that is known."""
     case = _case(suite, f"{verdict.pass_name}.{verdict.stage}", verdict.buffer)
-    if verdict.passed:
+    if verdict.empty:
+        SubElement(case, "skipped", message="no pixel to judge")
+    if not verdict.failed:
         return
     if verdict is report.culprit:
         sentence, more = report.summary, [*report.explanations, *report.details]

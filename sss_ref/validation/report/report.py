@@ -52,12 +52,22 @@ class Report:
     @property
     def culprit(self) -> Verdict | None:
         """The first buffer that a stage got wrong although it had what it needed."""
-        return next((verdict for verdict in self.verdicts if not verdict.passed), None)
+        return next((verdict for verdict in self.verdicts if verdict.failed), None)
+
+    @property
+    def empty(self) -> tuple[str, ...]:
+        """The buffers without a pixel to judge: they neither pass nor fail."""
+        return tuple(verdict.buffer for verdict in self.verdicts if verdict.empty)
+
+    @property
+    def judged(self) -> bool:
+        """Whether anything was."""
+        return any(not verdict.empty for verdict in self.verdicts)
 
     @property
     def passed(self) -> bool:
-        """Whether there are verdicts and all are good."""
-        return bool(self.verdicts) and self.culprit is None
+        """Whether anything was judged and all that was is right."""
+        return self.judged and self.culprit is None
 
     @property
     def explanations(self) -> list[str]:
@@ -69,27 +79,39 @@ class Report:
     @property
     def summary(self) -> str:
         """The outcome in a sentence."""
-        if not self.verdicts:
-            return f"fail: there is no buffer{f' of stage {self.only}' if self.only else ''} to judge"
+        if not self.judged:
+            return f"empty: {self.nothing}"
         wrong = self.culprit
         if wrong is None and self.only:
             return f"pass{self._so_far}: stage {self.only} gives what it should; no other stage was judged"
         if wrong is None:
-            return f"pass{self._so_far}: {len(self.verdicts)} buffers, every stage gives what it should"
+            count = len(self.verdicts) - len(self.empty)
+            return f"pass{self._so_far}: {count} buffers, every stage gives what it should{self._but_empty}"
         at = f"stage {wrong.stage} of pass {wrong.pass_name}"
         if not wrong.failing and wrong.background:
             return f"fail: pass {wrong.pass_name} is {self._which} wrong: in {wrong.buffer}, {wrong.background}"
-        if wrong.compared == wrong.undefined:
-            return f"fail: {at}: no pixel of {wrong.buffer} can be compared"
         return (
             f"fail: {at}{_or_before(wrong)} is {self._which} wrong: {wrong.failing / wrong.compared:.1%} of the "
             f"pixels of {wrong.buffer} are out of reach, worst {wrong.worst}"
         )
 
     @property
+    def nothing(self) -> str:
+        """Why nothing was judged, in a sentence."""
+        of_stage = f" of stage {self.only}" if self.only else ""
+        if not self.verdicts:
+            return f"no buffer{of_stage} to judge"
+        return f"no pixel{of_stage} that can be judged, of {', '.join(self.empty)}"
+
+    @property
+    def _but_empty(self) -> str:
+        """Which buffers a pass says nothing of."""
+        return f"; empty, without a pixel to judge: {', '.join(self.empty)}" if self.empty else ""
+
+    @property
     def _so_far(self) -> str:
-        """How far a pass goes where little is said of some buffer."""
-        least = min(self.verdicts, key=lambda verdict: verdict.decided)
+        """How far a pass goes where little is said of some buffer of which something is."""
+        least = min((each for each in self.verdicts if not each.empty), key=lambda verdict: verdict.decided)
         if least.decided >= NEARLY_WHOLE:
             return ""
         return f" as far as was judged, {least.decided:.0%} of the pixels of {least.buffer}"

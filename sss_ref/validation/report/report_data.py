@@ -18,6 +18,7 @@ def as_json(report: Report) -> dict[str, Any]:
     section = report.finding.section if report.finding else None
     return {
         "passed": report.passed,
+        "empty": list(report.empty),
         "summary": report.summary,
         "profile": report.profile,
         "device": report.device,
@@ -43,6 +44,7 @@ def _buffer(verdict: Verdict) -> dict[str, Any]:
         "stage": verdict.stage,
         "buffer": verdict.buffer,
         "passed": verdict.passed,
+        "empty": verdict.empty,
         "inherits": verdict.inherits,
         "pixels": verdict.compared,
         "same_bits": verdict.equal,

@@ -23,7 +23,7 @@ table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabu
 .buffers tbody tr { border-bottom: 1px solid var(--line); } .buffers .pass th { padding-top: .9rem; }
 .buffers small { display: block; font-weight: 400; line-height: 1.1; color: var(--soft); }
 .buffers td:first-child { font-weight: 600; position: sticky; left: 0; background: Canvas; }
-tr.fail td { color: var(--bad); } tr.inherits td { color: #b07a1e; }
+tr.fail td { color: var(--bad); } tr.empty td { opacity: .55; } tr.inherits td { color: #b07a1e; }
 .bar { display: flex; gap: 1px; height: 10px; border-radius: 2px; overflow: hidden; }
 .histogram { fill: #5480be; vertical-align: middle; } .histogram .base { fill: var(--line); }
 .legend { display: flex; flex-wrap: wrap; gap: .2rem 1rem; font-size: .85rem; margin: .6rem 0 0; }

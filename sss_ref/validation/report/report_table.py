@@ -45,7 +45,8 @@ def _row(verdict: Verdict) -> str:
     compared, most = f"{verdict.compared:,}", compact(verdict.widths.most)
     outside = f"{verdict.background.wrong:,}" if verdict.background else "·"
     texts = [name, _outcome_bar(verdict), compared, same, *counts, outside, whole, widths, most, ulps]
-    kind = ' class="inherits"' if verdict.inherits else "" if verdict.passed else ' class="fail"'
+    kinds = (("inherits", verdict.inherits), ("fail", verdict.failed), ("empty", verdict.empty))
+    kind = "".join(f' class="{name}"' for name, holds in kinds if holds)
     return f"<tr{kind}>{''.join(f'<td>{text}</td>' for text in texts)}</tr>"
 
 

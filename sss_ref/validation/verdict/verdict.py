@@ -92,9 +92,19 @@ class Verdict:
         return self.passed and self.chained is not None and self.chained < self.compared
 
     @property
+    def failed(self) -> bool:
+        """Whether a pixel is out of reach, or the background."""
+        return bool(self.failing) or self.background is not None
+
+    @property
+    def empty(self) -> bool:
+        """Whether there is nothing to judge: no pixel of which anything can be said, and no wrong background."""
+        return not self.failed and self.compared == self.undefined + self.unbounded
+
+    @property
     def passed(self) -> bool:
-        """Whether there are pixels of which something can be said, none of them is out of reach, nor the background."""
-        return self.compared > self.undefined and not self.failing and self.background is None
+        """Whether there are pixels of which something can be said, and all is right that can be."""
+        return not self.failed and not self.empty
 
 
 def judged(check: Check, whereabouts: Whereabouts) -> Verdict:

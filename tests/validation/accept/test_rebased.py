@@ -142,7 +142,7 @@ def test_nan_blank_and_nothing_never_pass(bodies):
     assert verdict_on(broken, maps).culprit.buffer == "irradiance"
     nothing_drawn = dict(oracle.buffers, triangle=np.full_like(oracle["triangle"], -1))
     assert verdict_on(nothing_drawn, oracle).culprit.buffer == "triangle"
-    assert verdict_on({}, oracle).summary == "fail: there is no buffer to judge"
+    assert verdict_on({}, oracle).summary == "empty: no buffer to judge"
     assert not verdict_on({}, oracle).passed
 
 

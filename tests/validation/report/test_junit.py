@@ -1,5 +1,6 @@
 """The JUnit file, read back: a suite a run, a case a buffer, and what a failure says."""
 
+from dataclasses import replace
 from xml.etree.ElementTree import parse
 
 import numpy as np
@@ -66,10 +67,21 @@ def test_a_failure_says_what_the_terminal_says(oracle, tmp_path):
     assert values == {"profile": "vulkan", "device": "a?b"}
 
 
-def test_nothing_to_judge_is_a_failure(tmp_path):
+def test_nothing_to_judge_is_an_error(tmp_path):
     suite = read(Report((), ("lit",)), tmp_path / "junit.xml")
-    assert (suite.get("tests"), suite.get("failures")) == ("2", "1")
-    assert suite.find(".//failure").get("message") == "fail: there is no buffer to judge"
+    assert [suite.get(key) for key in ("tests", "failures", "errors", "skipped")] == ["2", "0", "1", "1"]
+    assert suite.find(".//error").get("message") == "empty: no buffer to judge"
+
+
+def test_a_buffer_without_pixels_to_judge_is_skipped(oracle, tmp_path):
+    report = judge(oracle, Drawing(oracle.buffers), None, "vulkan", VERDICTS_ALONE, Clock())
+    first, last = report.verdicts[0], replace(report.verdicts[-1], unbounded=report.verdicts[-1].compared)
+    report = replace(report, verdicts=(first, last))
+    assert report.passed and report.empty == ("image",) and not replace(report, verdicts=(last,)).judged
+    suite = read(report, tmp_path / "junit.xml")
+    assert [suite.get(key) for key in ("tests", "failures", "errors", "skipped")] == ["2", "0", "0", "1"]
+    (case,) = (case for case in suite.iter("testcase") if case.find("skipped") is not None)
+    assert (case.get("name"), case.find("skipped").get("message")) == ("image", "no pixel to judge")
 
 
 def test_a_file_that_cannot_be_written(tmp_path):
