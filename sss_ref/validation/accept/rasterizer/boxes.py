@@ -37,6 +37,8 @@ class Boxes:
     """The vertices of a draw as a processor may have them.
 
     primitives: all pieces, also those that the oracle drops. viewport: what they are drawn into.
+    same: int64 (V,), one number for all vertices with the same clip position, which no processor tells apart: where UVs
+        meet, the mesh has two. Those that differ in a bit may be snapped apart, as the vertices at a sphere's pole.
     centre, half: float64 (V, 2), pixels from the centre of pixel (0, 0): the box around each vertex in the window.
     off: float64 (V, 2), pixels: how far from its snapped position here a processor may have it when it interpolates.
     rounding: float64 (P, 2), pixels along x and y: as if each quantity that is interpolated on a plane had moved so
@@ -47,6 +49,7 @@ class Boxes:
 
     primitives: Primitives
     viewport: Viewport
+    same: np.ndarray
     centre: np.ndarray
     half: np.ndarray
     off: np.ndarray
@@ -89,7 +92,13 @@ def boxes_of(scene: Scene, this_pass: Pass, read: Mapping[str, KnownBuffer], pro
         half, off = error + step / 2, np.where(elsewhere, step, moved) + error
     rounding = PLANE * (2 * size + _extent(centre, placed)[given].max(axis=1, initial=0.0))
     depth_error = ndc_error[:, Z] / 2 + ROUNDING
-    return Boxes(primitives, viewport, centre, half, off, rounding, depth_error, weight_error, attribute_error)
+    same = same_places(placed)
+    return Boxes(primitives, viewport, same, centre, half, off, rounding, depth_error, weight_error, attribute_error)
+
+
+def same_places(clip_position: np.ndarray) -> np.ndarray:
+    """One number for all vertices whose clip positions (V, 4) are the same, int64 (V,)."""
+    return np.unique(clip_position, axis=0, return_inverse=True)[1].reshape(-1).astype(np.int64)
 
 
 def _vertex_outcomes(

@@ -19,14 +19,8 @@ def certain_ends(boxes: Boxes, found: Candidates, turn: int, pixels: int) -> np.
     """The far end of the nearest cover that is certain at each pixel, float64 (pixels,): infinite where none is."""
     ends = np.full(pixels, np.inf)
     limit = np.inf if turn else FAR
-    find_certain(found, boxes.primitives.corners, same_places(boxes), limit, ends)
+    find_certain(found, boxes.primitives.corners, boxes.same, limit, ends)
     return ends
-
-
-def same_places(boxes: Boxes) -> np.ndarray:
-    """One number for all vertices that lie at the same place, int64 (V,): where UVs meet, the mesh has two."""
-    place = np.column_stack([boxes.centre, boxes.primitives.depth, boxes.primitives.inverse_w])
-    return np.unique(place, axis=0, return_inverse=True)[1].reshape(-1).astype(np.int64)
 
 
 @compiled
