@@ -76,7 +76,7 @@ def judged(scene, oracle, right, stage: str, options: argparse.Namespace) -> str
     if all(drawn[name].tobytes() == buffer.tobytes() for name, buffer in right.items()):
         return "same bits"
     verdict = sss_ref.validate(oracle, drawn, profile=options.profile, explain=False)
-    if verdict.passed:
+    if not verdict.failed:
         return "not found"
     if verdict.culprit.stage == stage:
         return "found at its stage"

@@ -12,6 +12,7 @@ from sss_ref.errors import SceneError
 from sss_ref.errors.wording import nearest, told
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.methods.stages import all_stages
+from sss_ref.raster.viewport import FINEST
 from sss_ref.rendering.fold import render
 from sss_ref.rendering.result import Result
 from sss_ref.scene.load import load_scene
@@ -92,6 +93,7 @@ def judge(
     _check_something_is_drawn(oracle, only)
     _check_stage(oracle, scope)
     kind = profile_of(profile) if isinstance(profile, str) else profile
+    oracle = _snapped_alike(oracle, kind)
     case = Case(oracle, _near_to_far(oracle, drawing.coarse) if kind.reversed_depth else drawing.coarse, kind)
     verdicts, finding, compared = [], None, {}
     for check, verdict in _verdicts(case, only, scope.stage, clock):
@@ -128,6 +130,13 @@ def _verdicts(case: Case, only: np.ndarray | None, stage: str | None, clock: Clo
                 doubtful = suspects(method, check.pass_name, check.buffer, buffers)
                 verdict = replace(verdict, suspects=doubtful)
         yield check, verdict
+
+
+def _snapped_alike(oracle: Result, profile: Profile) -> Result:
+    """The rendering with as many bits as an exact processor snaps to; others are judged by all that they may draw."""
+    if not profile.draws_exactly or profile.subpixel_bits == FINEST:
+        return oracle
+    return render(oracle.scene, subpixel_bits=profile.subpixel_bits)
 
 
 def _near_to_far(oracle: Result, drawing: Drawing) -> Drawing:

@@ -88,7 +88,8 @@ def drawn_by_chance(scene, rng, arithmetic="vulkan"):
     trick = str(rng.choice(list(tricks)))
     profile = replace(PROFILES[arithmetic], subpixel_bits=bits, snap=snap)
     if arithmetic == "ieee":
-        trick, bits, profile = "ours", 8, PROFILES["ieee"]
+        trick = trick if snap == "any" and trick in ANYWHERE else "ours"
+        profile = replace(PROFILES["ieee"], subpixel_bits=bits, snap=snap)
     kind = ExactVertices if arithmetic != "ieee" and rng.random() < 0.3 else Device
     device = kind(scene, {**CHANGES, **tricks}[trick], bits)
     random = arithmetic != "ieee" and rng.random() < 0.5

@@ -33,6 +33,11 @@ class Profile:
     reversed_depth: bool = False
 
     @property
+    def draws_exactly(self) -> bool:
+        """Whether it can show only one triangle at each pixel: all is correctly rounded, and snapped in one way."""
+        return isinstance(self.arithmetic, Ieee) and self.snap == "nearest"
+
+    @property
     def for_vertices(self) -> "Profile":
         """The same processor in its vertex shaders."""
         return replace(self, arithmetic=self.vertex_arithmetic) if self.vertex_arithmetic else self

@@ -5,7 +5,6 @@ from dataclasses import dataclass, field, replace
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.interpret.work import Fragments, Work
 from sss_ref.language.pipeline import Pass
-from sss_ref.numerics.ieee import Ieee
 from sss_ref.rendering.draw import Machine, draw, varying_columns
 from sss_ref.rendering.result import Result
 from sss_ref.validation.accept.drawn_pass import DrawnPass
@@ -64,7 +63,7 @@ class Case:
 
     def visible(self, this_pass: Pass) -> Visible | None:
         """What the rasterizer may show in a pass; a draw that reads no buffer is the same for all dumps, done once."""
-        if not this_pass.draw.vertex_stages or isinstance(self.profile.arithmetic, Ieee):
+        if not this_pass.draw.vertex_stages or self.profile.draws_exactly:
             return None
         if set(this_pass.draw.reads) & set(self.oracle.scene.method.values):
             return self._found(this_pass)
