@@ -19,7 +19,7 @@ from sss_ref.scene_file.kernels import TABLE1
 ROOT = Path(__file__).parents[2]
 IMAGES = ROOT / "docs" / "images"
 SIDE = 512
-GALLERY = ("figure3_with", "teeth_backlit", "figure4_glass", "figure5")
+GALLERY = ("figure3_with", "teeth_backlit", "wax", "glass", "figure5")
 
 sys.path.insert(0, str(ROOT / "notebooks"))
 
@@ -64,7 +64,7 @@ def validation(path: Path) -> None:
 
 
 def gallery(path: Path) -> None:
-    """Four of the shipped scenes beside each other."""
+    """Five of the shipped scenes beside each other."""
     strip = Image.new("RGB", (len(GALLERY) * SIDE // 2, SIDE // 2))
     for place, name in enumerate(GALLERY):
         shown = scene(name)
