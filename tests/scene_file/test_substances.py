@@ -32,6 +32,15 @@ def test_a_material_lies_between_the_preset_and_the_file():
     assert own["mesh"]["color"] == [0, 0, 1] and own["translucency"]["form"] == "beer"
 
 
+@pytest.mark.parametrize("name", SUBSTANCES)
+def test_what_comes_through_has_the_color_once(name):
+    """In the sum of a medium it is already; skin's sum lets all light leave, and the mesh colours it."""
+    filling = layer_of(name, in_mm=True)
+    expected = (1.0, 1.0, 1.0) if name != "skin" else filling["mesh"]["color"]
+    colored = np.multiply(filling["mesh"]["color"], filling["translucency"]["scale"])
+    assert colored == pytest.approx(expected, rel=1e-3)
+
+
 def test_a_blur_in_pixels_stays_one():
     assert "unit" not in layer_of("wax", in_mm=False)["blur"]
     assert filled({"material": "wax", "mm_per_unit": 1})["blur"]["unit"] == "mm"
