@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sss_ref.pictures.png_file import encoding_of, write_png
+from sss_ref.pictures.png_file import image_encoding_of, write_png
 from sss_ref.rendering.result import Result
 from sss_ref.results.saving import preview, write_buffers_exr
 
@@ -17,7 +17,7 @@ def write_outputs(result: Result, outputs: tuple[str, ...], folder: Path) -> Non
 
 
 def _write_picture(result: Result, folder: Path) -> None:
-    write_png(folder / "image.png", *preview(result), encode=encoding_of(result.scene.settings))
+    write_png(folder / "image.png", *preview(result), encode=image_encoding_of(result.scene.settings))
 
 
 def _write_archive(result: Result, folder: Path) -> None:

@@ -12,7 +12,7 @@ from sss_ref.language.pipeline import Pass
 from sss_ref.passes.buffers import described
 from sss_ref.pictures import tiles
 from sss_ref.pictures.lettering import BRIGHT, FAINT, SOFT, font
-from sss_ref.pictures.png_file import ZLIB, encoding_of
+from sss_ref.pictures.png_file import ZLIB, encoding_of, image_encoding_of
 from sss_ref.rendering.result import Result
 from sss_ref.rules import RULES_VERSION
 
@@ -73,7 +73,7 @@ def write_overview(path: Path, result: Result) -> None:
 
 def _tiles(result: Result) -> Iterator[Tile]:
     """The kept buffers in stage order, each with the pass that wrote it."""
-    encode = encoding_of(result.scene.settings)
+    settings = result.scene.settings
     for number, this_pass in enumerate(result.scene.method.passes):
         kept = [name for name in this_pass.values if name in result.buffers]
         limited = _drawn(result, this_pass)
@@ -81,6 +81,7 @@ def _tiles(result: Result) -> Iterator[Tile]:
             buffer = result.buffers[name]
             accent = ACCENTS[number % len(ACCENTS)]
             covered = np.ones(buffer.shape[:2], bool) if limited is None else limited
+            encode = image_encoding_of(settings) if name == "image" else encoding_of(settings)
             yield Tile(name, buffer, covered, this_pass.name, accent, name == kept[0], encode)
 
 

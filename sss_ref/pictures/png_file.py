@@ -74,6 +74,17 @@ def encoding_of(settings: SceneFile) -> Callable[[np.ndarray], np.ndarray]:
     return plain8 if settings.preset == "published" else srgb8
 
 
+def image_encoding_of(settings: SceneFile) -> Callable[[np.ndarray], np.ndarray]:
+    """How a scene's image becomes 8 bits: made brighter by output.exposure, then as other colours."""
+    encode, gain = encoding_of(settings), settings.output.gain
+
+    @np.errstate(over="ignore")  # what becomes infinite is cut off as well
+    def brightened(linear: np.ndarray) -> np.ndarray:
+        return encode(linear * gain)
+
+    return encode if gain == 1 else brightened
+
+
 def write_png(
     path: Path,
     image: np.ndarray,

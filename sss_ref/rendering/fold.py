@@ -18,6 +18,7 @@ from sss_ref.interpret import arrays
 from sss_ref.interpret.kernel import strips
 from sss_ref.language.pipeline import Pass
 from sss_ref.raster.viewport import FINEST
+from sss_ref.rendering.cut_off import cut_off
 from sss_ref.rendering.draw import Buffers, Machine, Sketch, draw, shade
 from sss_ref.rendering.nothing_shown import hidden, nothing_drawn
 from sss_ref.rendering.result import Result
@@ -89,7 +90,8 @@ def folded(
         timings[this_pass.name] = time.perf_counter() - start
     in_stage_order = {name: buffers[name] for name in scene.method.values if name in kept}
     if "image" in kept and not unshown:
-        unshown += hidden(scene, buffers["image"])
+        image = buffers["image"]
+        unshown += [*hidden(scene, image)] or [*cut_off(scene.settings.output, image)]
     return Result(scene, in_stage_order, timings, notes=(*notes, *unshown))
 
 

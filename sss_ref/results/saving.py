@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from sss_ref.pictures.overview import write_overview
-from sss_ref.pictures.png_file import encoding_of, write_png
+from sss_ref.pictures.png_file import image_encoding_of, write_png
 from sss_ref.rendering.result import Result, buffer_hash
 from sss_ref.rendering.samples import SampledResult
 from sss_ref.results.exr_file import write_exr
@@ -87,7 +87,7 @@ def write_buffers_exr(result: Result, folder: Path) -> None:
 
 def _write_pictures(result: Result, folder: Path) -> None:
     if "image" in result.buffers:
-        write_png(folder / "image.png", *preview(result), encode=encoding_of(result.scene.settings))
+        write_png(folder / "image.png", *preview(result), encode=image_encoding_of(result.scene.settings))
     if not shows_all(result):
         write_overview(folder / "overview.png", result)
 

@@ -31,6 +31,7 @@ preset = "robust"
 # How far light spreads depends on the size, which a mesh file does not say. Here the longest side, {longest:.4g} units,
 # is taken for {longest_mm:g} mm, as of a head. Is the unit a metre, set 1000; a centimetre, 10; a millimetre, 1.
 mm_per_unit = {mm_per_unit}
+# material = "skin"                     # or wax, jade ...: in the place of color, specular and [translucency] below
 
 [mesh]
 path = {path}
@@ -72,6 +73,7 @@ scale = {scale}                           # how much comes through
 
 [output]
 background = [0.012, 0.016, 0.022]
+exposure = 0.0                          # stops: 1 is twice as bright, -1 half
 """
 
 

@@ -9,6 +9,7 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Dis
 from sss_ref.errors.wording import unmet
 
 LARGEST_SIZE = 16384  # pixels: snapped window positions stay within 32 bits
+MOST_STOPS = 20  # a factor of a million, either way
 FLOAT32_OVERFLOW = 2.0**128 - 2.0**103  # the smallest magnitude that rounds to infinity in float32
 
 
@@ -35,6 +36,7 @@ PositiveOrZero = Annotated[Number, requiring(lambda x: x == 0 or np.float32(x) >
 Inset = Annotated[Positive, requiring(lambda x: x <= 1, "a number > 0 and <= 1")]
 Share = Annotated[Number, requiring(lambda x: 0 <= x <= 1, "a number from 0 to 1")]
 FieldOfView = Annotated[Number, requiring(lambda x: 0 < x < 180, "an angle between 0 and 180 degrees")]
+Stops = Annotated[Number, requiring(lambda x: abs(x) <= MOST_STOPS, f"from -{MOST_STOPS} to {MOST_STOPS} stops")]
 Size = Annotated[int, requiring(lambda n: 1 <= n <= LARGEST_SIZE, f"a whole number from 1 to {LARGEST_SIZE}")]
 Count = Annotated[int, requiring(lambda n: 0 <= n <= LARGEST_SIZE, f"a whole number from 0 to {LARGEST_SIZE}")]
 

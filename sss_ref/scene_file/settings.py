@@ -7,9 +7,11 @@ default is filled by the preset, or else the file must give it. All models are s
 import os
 from typing import Annotated, Literal
 
+import numpy as np
 from pydantic import AfterValidator, Discriminator, Field, Tag, ValidationInfo, field_validator
 
 from sss_ref.errors.wording import unmet
+from sss_ref.numerics.elementary import exp2_array
 from sss_ref.scene_file.color_texture import texture_size
 from sss_ref.scene_file.profiles import MaterialName
 from sss_ref.scene_file.quantities import (
@@ -20,6 +22,7 @@ from sss_ref.scene_file.quantities import (
     Positive,
     Scale,
     Size,
+    Stops,
     Table,
     Vector,
     requiring,
@@ -176,6 +179,14 @@ class Output(Table):
 
     background: Color = (0.0, 0.0, 0.0)
     """Linear RGB where no surface is."""
+    exposure: Stops = 0.0
+    """Stops by which the picture of 8 bits is brighter than the buffer image: its colours times 2^exposure. No buffer
+    depends on it."""
+
+    @property
+    def gain(self) -> np.float32:
+        """Factor on linear colours where they become 8 bits: 2^exposure, correctly rounded."""
+        return np.float32(exp2_array(np.float32(self.exposure)))
 
 
 class SceneFile(Table):

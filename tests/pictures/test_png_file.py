@@ -2,8 +2,9 @@ import imageio.v3 as imageio
 import numpy as np
 import pytest
 from mpmath import mp, mpf
+from scenes import settings_with
 
-from sss_ref.pictures.png_file import srgb8, srgb_edges, write_png
+from sss_ref.pictures.png_file import encoding_of, image_encoding_of, plain8, srgb8, srgb_edges, write_png
 
 
 def encoded(linear):
@@ -55,3 +56,21 @@ def test_values_of_other_types_and_strides_are_rounded_first():
     assert np.array_equal(srgb8(values), srgb8(values.astype(np.float32)))
     assert np.array_equal(srgb8(values.astype(np.float32)[::-2, ::3]), srgb8(values)[::-2, ::3])
     assert srgb8(np.float32(0.5)).item() == 188
+
+
+@pytest.mark.parametrize(("stops", "factor"), [(1.0, 2.0), (-3.0, 0.125), (0.5, 1.41421354)])
+def test_exposure_counts_stops_and_only_of_the_image(stops, factor):
+    values = np.linspace(0, 9, 500, dtype=np.float32)
+    settings = settings_with({"output.exposure": stops})
+    assert settings.output.gain == np.float32(factor)
+    assert np.array_equal(image_encoding_of(settings)(values), srgb8(values * np.float32(factor)))
+    assert np.array_equal(encoding_of(settings)(values), srgb8(values))
+
+
+def test_exposure_of_nothing_of_the_printed_figures_and_of_what_overflows():
+    assert image_encoding_of(settings_with({})) is srgb8
+    published = {"preset": "published", "output.exposure": 1.0}
+    assert image_encoding_of(settings_with(published))(np.float32([0.25, 0.6])).tolist() == [128, 255]
+    assert plain8(np.float32([0.5])).item() == 128
+    brightest = image_encoding_of(settings_with({"output.exposure": 20.0}))
+    assert brightest(np.float32([3e38, 0])).tolist() == [255, 0]

@@ -81,7 +81,7 @@ WRONG = [
     ),
     ("blur.normalize", 1, "expected true or false, got 1; write it without quotes"),
     ("irradiance_map.dilate", -1, f"expected a whole number from 0 to 16384, got -1; {ANOTHER}"),
-    ("output.alpha", 1, "expected a known key, got this one; remove it (known here: background)"),
+    ("output.alpha", 1, "expected a known key, got this one; remove it (known here: background, exposure)"),
 ]
 
 

@@ -62,7 +62,7 @@ COMMON = {
         "lookup_stage": "fragment",
     },
     "phong": {"ambient": 0.1, "diffuse": 1.0, "specular": 0.5, "shininess": 32.0},
-    "output": {"background": (0.0, 0.0, 0.0)},
+    "output": {"background": (0.0, 0.0, 0.0), "exposure": 0.0},
 }
 
 IN_PIXELS = {"unit": "pixel", "mm_per_offset": 1.2, "follow_surface": False, "normalize": False}
