@@ -15,7 +15,7 @@ def filled(data: Mapping[str, Any]) -> dict[str, Any]:
     """`data` on top of the material and the preset it names; what nobody knows is left for validation to report.
 
     What a preset has of lights lies below every light, and what it has of a perspective only below one; what
-    the scene has of phong and translucency lies below those of every layer.
+    the scene has of phong and translucency lies below those of every layer and its material.
     """
     name = data.get("preset", DEFAULT_PRESET)
     preset = PRESETS.get(name if isinstance(name, str) else DEFAULT_PRESET, PRESETS[DEFAULT_PRESET])
@@ -33,9 +33,15 @@ def filled(data: Mapping[str, Any]) -> dict[str, Any]:
     below = laid(preset, data)
     layers = data.get("layers")
     if isinstance(layers, list | tuple):
-        material = {key: below.get(key, {}) for key in ("phong", "translucency")}
-        below["layers"] = [laid(material, layer) for layer in layers]
+        below["layers"] = [laid(_below_layer(layer, below, in_mm), layer) for layer in layers]
     return {key: value for key, value in below.items() if key in data or key != "lights"}
+
+
+def _below_layer(layer: Any, scene: Mapping[str, Any], in_mm: bool) -> dict[str, Any]:
+    """What lies below one of [[layers]]: its own material, and below that what the scene has. scene: filled."""
+    own = layer_of(layer.get("material"), in_mm) if isinstance(layer, Mapping) else {}
+    tables = {key: laid(scene.get(key, {}), own.get(key, {})) for key in ("phong", "translucency")}
+    return {**tables, **own.get("mesh", {})}
 
 
 def _is_in_mm(data: Mapping[str, Any]) -> bool:

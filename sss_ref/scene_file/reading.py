@@ -10,13 +10,13 @@ from pydantic import BaseModel, ValidationError
 
 from sss_ref.errors import SceneError
 from sss_ref.errors.text_file import toml_of
-from sss_ref.errors.wording import KeyPath, described, told
+from sss_ref.errors.wording import KeyPath, described, told, written
 from sss_ref.scene_file import scattering, settings, viewpoints
 from sss_ref.scene_file.bundled import bundled_settings, is_bundle
 from sss_ref.scene_file.layers import filled, is_overridden, overridden, override_paths
 from sss_ref.scene_file.presets import misfits
 from sss_ref.scene_file.shipped import scene_names, scene_path
-from sss_ref.scene_file.substances import without_unit
+from sss_ref.scene_file.substances import materials_in, without_unit
 
 # Which model a table of the file has, by its keys: what is known there.
 TABLES: dict[KeyPath, type[BaseModel]] = {
@@ -99,15 +99,16 @@ def _filled_before(document: Document, given: Mapping[str, Any]) -> list[str]:
     """What is wrong with another preset or material for a bundle: it would fill nothing."""
     if document.preset is None:
         return []
-    changed = [key for key in ("preset", "material") if given.get(key) != document.data.get(key)]
+    before, now = ({("preset",): data.get("preset"), **materials_in(data)} for data in (document.data, given))
     return [
         told(
-            key,
-            f"{document.data.get(key)}, which filled this bundle",
-            str(given.get(key)),
-            f"bundle the scene with the other {key}",
+            written(path),
+            f"{before[path]}, which filled this bundle",
+            str(now[path]),
+            f"bundle the scene with the other {path[-1]}",
         )
-        for key in changed
+        for path in before
+        if now.get(path, before[path]) != before[path]
     ]
 
 

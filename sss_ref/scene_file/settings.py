@@ -146,6 +146,8 @@ class LayerSettings(Table):
 
     path: MeshPath
     """A mesh file, relative to the scene file, or the name of a shipped mesh."""
+    material: MaterialName | None = None
+    """What it is made of: fills in colour, highlight and translucency as the scene's material does."""
     color: Color = (0.7, 0.4, 0.4)
     """Albedo, linear RGB."""
     extinction_per_mm: Color

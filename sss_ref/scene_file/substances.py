@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
-from sss_ref.errors.wording import KeyPath, told
+from sss_ref.errors.wording import KeyPath, told, written
 from sss_ref.scene_file.kernels import HBH09, Tap
 from sss_ref.scene_file.profiles import Channels
 
@@ -65,7 +65,20 @@ def kernel_of(spread: Channels) -> tuple[Tap, ...]:
 
 
 def without_unit(data: Mapping[str, Any]) -> Iterator[tuple[KeyPath, str]]:
-    """Key path and problem of a material in a scene without `mm_per_unit`. data: as the file has it."""
-    if data.get("material") is not None and data.get("mm_per_unit") is None:
-        expected = "mm_per_unit beside it, since light comes through so many mm of a material"
-        yield ("material",), told("material", expected, "nothing", "say how many mm a unit of the scene is")
+    """Key path and problem of every material in a scene without `mm_per_unit`. data: as the file has it."""
+    if data.get("mm_per_unit") is not None:
+        return
+    for path, name in materials_in(data).items():
+        if name is not None:
+            expected = "mm_per_unit beside it, since light comes through so many mm of a material"
+            yield path, told(written(path), expected, "nothing", "say how many mm a unit of the scene is")
+
+
+def materials_in(data: Mapping[str, Any]) -> dict[KeyPath, Any]:
+    """Key path -> what stands there, for every key of a scene that names a material. data: as the file has it."""
+    layers = data.get("layers")
+    listed = enumerate(layers) if isinstance(layers, list | tuple) else ()
+    inside: dict[KeyPath, Any] = {
+        ("layers", k, "material"): each.get("material") for k, each in listed if isinstance(each, Mapping)
+    }
+    return {("material",): data.get("material"), **inside}

@@ -182,6 +182,13 @@ def test_a_material_for_a_bundle_is_refused(bundle):
         sss_ref.load_scene(bundle, material="wax")
 
 
+def test_a_layer_of_a_bundle_keeps_its_material_as_well(tmp_path):
+    small = {**SMALL, "lights.0.position": [0.0, 0.0, 60.0]}
+    folder = write_bundle(sss_ref.load_scene("teeth_layers", **small), tmp_path / "bundle")
+    with pytest.raises(SceneError, match=r"^override: layers\[0\].material: expected dentine, which filled "):
+        sss_ref.load_scene(folder, **{"layers.0.material": "wax"})
+
+
 def test_a_mesh_that_is_not_whole_is_refused_by_name(bundle, tmp_path):
     folder = spoiled(bundle, tmp_path / "b", "mesh/uv.npy", lambda path: path.unlink())
     with pytest.raises(

@@ -5,7 +5,7 @@ import shutil
 import subprocess
 
 import pytest
-from alternatives import alternatives
+from alternatives import LAYER, alternatives
 from scenes import settings_with
 
 from sss_ref.interpret.shader import DIALECTS, shader_files
@@ -66,6 +66,7 @@ def shaders(dialect):
         {"method": method, key: value} for method in METHODS for key, values in CHOICES.items() for value in values
     ]
     cases += [{"method": method, **TOGETHER} for method in METHODS]
+    cases += [{"layers": [LAYER], **lights} for lights in ({}, {"lights.0.type": "directional"})]
     methods = [method_of(settings_with(case)) for case in cases]
     files = [
         item

@@ -91,3 +91,22 @@ def test_a_material_needs_a_unit(small):
     with pytest.raises(SceneError, match=r"^override: material: expected mm_per_unit beside it, since light comes "):
         sss_ref.load_scene(small, material="wax")
     assert sss_ref.load_scene(small, material="wax", mm_per_unit=2.0).settings.translucency.gaussians == "wax"
+
+
+def test_a_layer_has_a_material_of_its_own_above_what_the_scene_has():
+    layers = [{"material": "dentine"}, {"material": "dentine", "color": [1, 1, 1]}, {}, "no table"]
+    phong = {"ambient": 0.25, "specular": 0.75}
+    data = filled({"material": "enamel", "mm_per_unit": 1, "layers": layers, "phong": phong})
+    dentine, white, plain, wrong = data["layers"]
+    enamel, own = SUBSTANCES["enamel"], SUBSTANCES["dentine"]
+    assert dentine["color"] == own.color and white["color"] == [1, 1, 1] and "color" not in plain
+    assert dentine["phong"] == {"ambient": 0.25, "specular": own.specular, "shininess": own.shininess}
+    assert plain["phong"] == {"ambient": 0.25, "specular": 0.75, "shininess": enamel.shininess}
+    assert [each["translucency"]["gaussians"] for each in (dentine, white, plain)] == ["dentine", "dentine", "enamel"]
+    assert data["blur"]["mm_per_offset"] == enamel.mm_per_offset and wrong == "no table"
+
+
+def test_a_layer_of_a_material_needs_a_unit(small):
+    layer = {"path": "tetrahedron", "extinction_per_mm": [1, 1, 1], "material": "dentine"}
+    with pytest.raises(SceneError, match=r"layers\[0\].material: expected mm_per_unit beside it"):
+        sss_ref.load_scene({**small, "layers": [layer]})

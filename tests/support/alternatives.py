@@ -10,6 +10,8 @@ from sss_ref.scene.catalogue import METHODS, method_of
 from sss_ref.scene_file import scattering, settings, viewpoints
 from sss_ref.scene_file.presets import FIXED, ONLY_PUBLISHED
 
+LAYER = {"path": "any", "extinction_per_mm": [0.1, 0.2, 0.3]}
+
 
 def alternatives(table, key):
     """The values of a key, but for those that only preset `published` has."""
@@ -53,6 +55,5 @@ def methods_with_settings():
             )
         cases.append({"method": method, "preset": "published", "translucency": {"x": [0.5, 0.4, 0.3]}})
         cases.append({"method": method, "mesh.normal_map": "any.png", "mesh.specular_map": "any.png"})
-    layer = {"path": "any", "extinction_per_mm": [0.1, 0.2, 0.3]}
-    cases += [{"layers": [layer], "lights": [{"position": [0.0, 0.0, 5.0]}] * lights} for lights in (1, 3)]
+    cases += [{"layers": [LAYER], "lights": [{"position": [0.0, 0.0, 5.0]}] * lights} for lights in (1, 3)]
     return [(method_of(one), one) for one in map(settings_with, cases)]
