@@ -13,11 +13,13 @@ from sss_ref.interpret.kernel import strips as kernel
 from sss_ref.language import (
     Texture,
     bilinear_blend,
+    fract,
     fractional_part,
     ivec2,
     nearest_texel,
     sample_bilinear,
     sample_bilinear_clamped,
+    sample_bilinear_repeat,
     size,
     stage,
     texel,
@@ -166,6 +168,20 @@ def test_bilinear_by_hand():
 @pytest.mark.parametrize(("u", "v", "corner"), [(-3, -3, 1), (4, -0.5, 2), (0, 1, 3), (0.25, 9, 3), (1, 1, 7)])
 def test_bilinear_is_clamped_to_the_edge(u, v, corner):
     assert sample(F([[1, 2], [3, 7]]), (u, v)) == corner
+
+
+@pytest.mark.parametrize(("width", "height"), [(5, 3), (2, 4), (1, 1)])
+def test_a_repeated_texture_is_the_middle_of_nine(width, height):
+    """Around the texture lie eight more: blending never leaves them, so clamping at their edge changes nothing."""
+    generator = np.random.default_rng(11)
+    picture = generator.normal(size=(height, width)).astype(np.float32)
+    nine = Texture(np.tile(picture, (3, 3)))
+    for u, v in [(0, 0), (1, 1), (BELOW_ONE, 0), (0, BELOW_ONE), *generator.random((40, 2))]:
+        at = texel_position(ivec2(np.int32(width), np.int32(height)), vec2(*(fract(F(x)) for x in (u, v))))
+        corner = whole_part(at) + ivec2(np.int32(width), np.int32(height))
+        expected = sample_bilinear(nine, corner, fractional_part(at))
+        assert sample_bilinear_repeat(Texture(picture), vec2(F(u), F(v))) == expected
+    assert sample_bilinear_repeat(nine, vec2(F(-7.25), F(9.5))) == sample_bilinear_repeat(nine, vec2(F(0.75), F(0.5)))
 
 
 def test_beyond_the_edge_a_clamped_sample_is_that_of_the_edge():

@@ -15,7 +15,13 @@ K = 1.05 * 2
 
 def test_bounds_are_around_the_boxes_middle():
     assert np.array_equal(BOUNDS.centre, [0, 0, 1]) and BOUNDS.radius == 2
-    assert BOUNDS.holds(np.array([1, 1, 3.0])) and not BOUNDS.holds(np.array([0, 0, 3.5]))
+    for corner in ([1, 1, 3.0], [-1, -1, -1.0]):
+        assert BOUNDS.holds(np.array(corner)) and not BOUNDS.holds(np.nextafter(corner, np.multiply(corner, 9)))
+
+
+def test_a_radius_is_a_length_in_space():
+    """Farthest from the middle of the box, (1, 1, 1), is (4, 5, 13): by (3, 4, 12), which is 13 long."""
+    assert Bounds.around(np.float64([[4, 5, 13], [-2, -3, -11], [0, 1, 13]])).radius == 13
 
 
 def test_fit_from_outside():
@@ -42,11 +48,37 @@ def test_field_of_view_by_hand():
     # asin(1/2) = 30 degrees; a target 45 degrees off adds 45; a map half as wide as high doubles the tangent.
     ahead, beside = np.array([0, 0, -2.0]), np.array([-1, 0, -1.0])
     assert field_of_view(ahead, ahead, 1.0, 1.0) == 60
-    assert field_of_view(ahead, ahead, 1.0, 7.0) == 60
+    assert field_of_view(ahead, ahead, 1.0, 1.5) == field_of_view(ahead, ahead, 1.0, 7.0) == 60
     assert field_of_view(ahead, beside, 1.0, 1.0) == 150
     assert field_of_view(np.array([0, 0, -math.sqrt(2)]), ahead, 1.0, 0.5) == pytest.approx(
         2 * math.degrees(math.atan(2)), rel=1e-15
     )
+
+
+@pytest.mark.parametrize("seed", range(9))
+def test_field_of_view_between_any_two_directions(seed):
+    """The angle by its cosine, where it is not small; every component counts."""
+    to_centre, aside = np.random.default_rng(seed).normal(size=(2, 3))
+    to_target = to_centre + 0.5 * aside * (np.linalg.norm(to_centre) / np.linalg.norm(aside))
+    norms = np.linalg.norm(to_centre), np.linalg.norm(to_target)
+    angle = math.acos(float(to_centre @ to_target) / float(norms[0] * norms[1]))
+    half = math.asin(0.1) + angle
+    assert field_of_view(to_centre, to_target, 0.1 * float(norms[0]), 2.0) == pytest.approx(
+        2 * math.degrees(half), rel=1e-9
+    )
+
+
+def test_half_a_circle_is_too_much():
+    ahead = np.array([0, 0, -2.0])
+    assert field_of_view(ahead, ahead, np.nextafter(2.0, 0), 1.0) < 180
+    with pytest.raises(SceneError, match="field of view of 180 degrees"):
+        field_of_view(ahead, ahead, 2.0, 1.0)
+
+
+def test_a_light_just_at_the_sphere_is_too_close():
+    around_zero = Bounds(np.float64([-1, -1, -1]), np.float64([1, 1, 1]), np.zeros(3), 2.0)
+    with pytest.raises(SceneError, match=r"expected a light farther than 2.1 from the mesh's centre, got 2.1;"):
+        fitted(PointLight(position=(0, 0, K)), around_zero, 1.0)
 
 
 def test_light_too_close():
@@ -70,6 +102,8 @@ def test_near_beyond_the_fitted_far():
     with pytest.raises(SceneError) as error:
         fitted(PointLight(position=(0, 0, 11), near=13), BOUNDS, 1.0)
     assert str(error.value) == "expected near < far, got near 13 and far 12.1 after fitting; give both or neither"
+    with pytest.raises(SceneError, match=r"expected near < far, got near 12.1 and far 12.1 "):
+        fitted(PointLight(position=(0, 0, 11), near=10 + K), BOUNDS, 1.0)
 
 
 def test_a_directional_light_is_fitted_along_its_rays():
@@ -80,6 +114,7 @@ def test_a_directional_light_is_fitted_along_its_rays():
     k = 1.05 * 2
     assert (light.near, light.far) == (12 - k, 12 + k)
     assert light.view_height == 2 * (k + 5)
+    assert fitted(DirectionalLight(**given), bounds, 1.5).view_height == 2 * (k + 5)
     assert fitted(DirectionalLight(**given), bounds, 0.5).view_height == 4 * (k + 5)
     assert fitted(DirectionalLight(**given, near=2.0), bounds, 1.0).near == 2
 
