@@ -6,10 +6,13 @@ from scenes import around, cube, sphere, written
 
 from sss_ref.errors import SceneError
 from sss_ref.language import stage, vec3
+from sss_ref.methods.inner_body import OWN
 from sss_ref.passes.phong import Phong
 from sss_ref.rendering.fold import render
 from sss_ref.scene import load_scene
 from sss_ref.scene.own_stage import with_stage
+from sss_ref.scene.uniforms import uniforms_of
+from sss_ref.scene_file.settings import PhongSettings
 
 EXTINCTION = [0.1, 0.5, 2.0]
 FRONT = {"type": "orthographic", "eye": [0, 0, 6], "target": [0, 0, 0], "view_height": 2.5, "width": 40, "height": 40}
@@ -85,6 +88,20 @@ def test_a_layer_has_a_material_of_its_own_and_takes_the_rest_from_the_scene(sce
     assert (uniforms["x"], uniforms["inner_x"], uniforms["inner_y"]) == (2, 3, 0.25)
     assert (uniforms["translucency_neutral"], uniforms["inner_translucency_neutral"]) == (1, 0)
     assert {"lit_add_directional", "lit_multiply"} <= set(result.scene.method.stages)
+
+
+def test_every_key_of_its_material_reaches_its_stages(scene):
+    """What would be the outer body's in silence, if a uniform were left out of `OWN`."""
+    phong = dict.fromkeys(PhongSettings.model_fields, 0.375)
+    numbers = {key: 0.375 for key, value in load_scene(scene()).settings.translucency if isinstance(value, float)}
+    translucency = {**numbers, "gaussians": [[0.375, 0.375, 0.375, 0.375]], "combine": "add"}
+    loaded = load_scene(scene(layer={"phong": phong, "translucency": translucency}))
+    settings = loaded.settings
+    given = (loaded.world_from_model, loaded.camera, loaded.lights)
+    outer, own = (uniforms_of(each, *given, {}) for each in (settings, settings.inner))
+    differing = {name for name in own if not np.array_equal(outer[name], own[name])}
+    assert len(differing) >= 12 and differing <= set(OWN)
+    assert set(OWN) - differing <= {"mesh_color", "translucency_neutral"}  # which `Scene.uniforms` adds
 
 
 @pytest.mark.parametrize("preset", ["paper", "robust"])
