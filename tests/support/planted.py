@@ -48,6 +48,7 @@ SCENES = {
         {"lights": [{"position": [2.4, 1.5, 1.5]}, {"position": [-2.0, 2.0, 1.5], "color": [0.5, 0.7, 1.0]}]},
     ),
     "texture space": ("figure5", {}),
+    "wax": ("wax", {}),
 }
 
 
@@ -434,6 +435,18 @@ PLANTED = [
         "half Lambert",
         camera_pass_stages(phong_shading=phong_with(lambert=lambda c: (c * np.float32(0.5) + np.float32(0.5)) ** 2)),
         "[Hh]alf Lambert",
+    ),
+    Planted(
+        "e^(-d^2/(2*v))",
+        Mistake("camera", uniforms={"gaussian_variance": scaled(2)}),
+        r"Gaussians are e\^\(-d\^2/\(2\*v\)\)",
+        "wax",
+    ),
+    Planted(
+        "Gaussians in scene units",
+        Mistake("camera", uniforms={"mm_per_unit": instead(1)}),
+        "mm_per_unit is 1 instead of 24",
+        "wax",
     ),
     Planted("exponent .601", vertex("exponent", instead(0.601)), "exponent is 0.601"),
     Planted("no slope in the bias", camera_pass_stages(directly_lit_slope=literal_test), "bias|directly_lit_literal"),

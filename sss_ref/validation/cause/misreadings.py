@@ -101,15 +101,29 @@ def _fewer_taps(right: Any, given: Given) -> Any:
     return right({**given, "tap_count": given["tap_count"] - 1})[0]
 
 
+def _other_variances(change: Callable[[np.ndarray], np.ndarray]) -> Callable[[Any, Given], Any]:
+    """T of a sum of Gaussians if their variances were others."""
+
+    def compute(right: Any, given: Given) -> Any:
+        return right({**given, "gaussian_variance": Array(change(given["gaussian_variance"].data))})[0]
+
+    return compute
+
+
+def _red_for_all(weights: str) -> Callable[[Any, Given], Any]:
+    """What a stage gives if all channels had the weights of red."""
+
+    def compute(right: Any, given: Given) -> Any:
+        red = np.repeat(given[weights].data[:, :1], 3, axis=1)
+        return right({**given, weights: Array(np.ascontiguousarray(red))})[0]
+
+    return compute
+
+
 def _in_gamma_space(right: Any, given: Given) -> Any:
     encoded = np.maximum(given["lit"].data, 0).astype(np.float64) ** (1 / GAMMA)
     blurred = right({**given, "lit": Texture(encoded.astype(np.float32))})[0]
     return vec3(*(np.maximum(part, ZERO) ** np.float32(GAMMA) for part in (blurred.x, blurred.y, blurred.z)))
-
-
-def _one_weight_for_all(right: Any, given: Given) -> Any:
-    weight = np.repeat(given["tap_weight"].data[:, :1], 3, axis=1)
-    return right({**given, "tap_weight": Array(np.ascontiguousarray(weight))})[0]
 
 
 def _repeated(right: Any, given: Given) -> Any:
@@ -176,6 +190,9 @@ MISREADINGS = (
     Misreading("it is half Lambert: (N.L * 0.5 + 0.5)^2", "phong", _wrapped(2)),
     Misreading("V is normalize(camera_position), as if the eye were a direction", "phong", _eye_as_direction),
     Misreading("the thickness is D - t, with its sign, not |P - B|", "thickness", _difference),
+    Misreading("the Gaussians are e^(-d^2/(2*v))", "translucency", _other_variances(lambda v: v + v)),
+    Misreading("v is a standard deviation: e^(-d^2/(v*v))", "translucency", _other_variances(lambda v: v * v)),
+    Misreading("all channels have the weights of red", "translucency", _red_for_all("gaussian_weight")),
     Misreading("it is the depth along the light's axis, not the distance |P - L|", "light_distance", _along_axis),
     Misreading(
         "the shadow map is read upside down: v counts from the top",
@@ -195,7 +212,7 @@ MISREADINGS = (
         for misreading in (
             Misreading("the last tap is left out", output, _fewer_taps),
             Misreading("it is blurred in gamma space", output, _in_gamma_space),
-            Misreading("all channels have the weights of red", output, _one_weight_for_all),
+            Misreading("all channels have the weights of red", output, _red_for_all("tap_weight")),
             Misreading("the texture repeats beyond its edge (REPEAT for CLAMP)", output, _repeated),
         )
     ),

@@ -30,6 +30,8 @@ SOME = [
     "Blinn for Phong",
     "d = D - t",
     "N.L wrapped",
+    "e^(-d^2/(2*v))",
+    "Gaussians in scene units",
     "R11G11B10F",
     "map cleared to 0",
     "blur outside the stencil",
