@@ -13,7 +13,6 @@ from sss_ref.mesh.likely_size import LONGEST_MM, LikelySize, three_digits
 from sss_ref.mesh.mesh_file import load_mesh
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.numerics.trigonometry import tangent
-from sss_ref.scene_file.presets import ROBUST
 from sss_ref.scene_file.shipped import find_mesh
 from sss_ref.view.light_fit import Bounds
 from sss_ref.view.matrices import look_at, outward, transformed
@@ -21,8 +20,8 @@ from sss_ref.view.views import UP
 
 AZIMUTH, ELEVATION, FOV_Y = 25.0, 5.0, 30.0  # degrees: a portrait
 AROUND = 1.12  # room around the mesh, as a factor on half of its height or width in the picture
-SIZE_OF_ROBUST = 2.0  # units: the longest side of the bust that the scale of preset robust was chosen on
-EXPONENT = 0.6  # of the thickness in T: paper 3.2
+SIZE, SCALE = 2.0, 0.1  # units: the longest side of the bust, and the factor on T that was chosen on it
+EXPONENT = 0.75  # of the thickness in T
 
 TEXT = """\
 # A first scene for {name}. Every key may be changed; what is left out comes from the preset.
@@ -66,8 +65,10 @@ intensity = 0.7
 ambient = 0.04
 specular = 0.3
 
-# T = 2^0.5 / d^0.6 for the way d through the body, in units: so both numbers go with the longest side.
+# T = 2^0.5 / d^{exponent} for the way d through the body, in units: so both numbers go with the longest side.
 [translucency]
+combine = "transmit_wrapped"            # light from behind goes round: no dark line where light and shade meet
+exponent = {exponent}                         # the paper's is 0.6; this one lets the far side fall off into the dark
 d_min = {d_min}                           # what is thinner lets no more through: a twentieth of that side
 scale = {scale}                           # how much comes through
 
@@ -110,7 +111,8 @@ def first_scene(mesh: Mesh, path: str) -> str:
         longest_mm=LONGEST_MM,
         mm_per_unit=size.mm_per_unit,
         d_min=size.d_min,
-        scale=three_digits(ROBUST["translucency"]["scale"] * (size.longest / SIZE_OF_ROBUST) ** EXPONENT),
+        exponent=EXPONENT,
+        scale=three_digits(SCALE * (size.longest / SIZE) ** EXPONENT),
         target=", ".join(str(float(f"{x:.6g}")) for x in bounds.centre.tolist()),
         azimuth=AZIMUTH,
         elevation=ELEVATION,
