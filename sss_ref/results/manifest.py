@@ -3,6 +3,7 @@
 import hashlib
 import platform
 import sys
+from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import Annotated, Any, Final, Literal
@@ -112,6 +113,7 @@ def manifest_of(result: Result, interpreter: str | None, threads: int | None) ->
     )
 
 
+@cache
 def package_version() -> str:
     """The installed version; a checkout that is merely on the path has none."""
     try:

@@ -6,6 +6,7 @@ while it runs comes on top, at most half as much again.
 
 from collections import Counter
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any
 
 from sss_ref.errors.wording import KeyPath, unmet_at
@@ -24,8 +25,13 @@ def bytes_per_pixel(tables: Mapping[str, Any]) -> Mapping[str, int]:
 
     tables: key of the scene file -> validated value, as in `check_memory`; what is missing counts as its default.
     """
+    return _counted(_plainest(tables))
+
+
+@lru_cache(maxsize=64)  # for many scenes of one kind
+def _counted(plainest: settings.SceneFile) -> Mapping[str, int]:
     counted = Counter[str]()
-    for each in method_of(_plainest(tables)).passes:
+    for each in method_of(plainest).passes:
         kinds = [] if each.on_demand else each.outputs.values()
         counted[each.target] += sum(CHANNELS[kind] * dtype_of(kind).itemsize for kind in kinds)
     return counted

@@ -34,11 +34,10 @@ def scene_path(name: str) -> Path:
 
 def mesh_path(name: str) -> Path:
     """The file of a shipped mesh. Raises SceneError for another name."""
-    for suffix in MESH_SUFFIXES:
-        path = data_folder() / "meshes" / f"{name}{suffix}"
-        if name in mesh_names() and path.is_file():
-            return path
-    raise SceneError(f"{name}: expected a shipped mesh ({', '.join(mesh_names())}), got another name")
+    found = _shipped_mesh(name)
+    if found is None:
+        raise SceneError(f"{name}: expected a shipped mesh ({', '.join(mesh_names())}), got another name")
+    return found
 
 
 def find_mesh(path: str, folder: Path) -> Path | None:
@@ -48,4 +47,10 @@ def find_mesh(path: str, folder: Path) -> Path | None:
     """
     if any(map(os.path.isfile, (folder / path, folder / path / "mesh.json"))):  # unlike Path.is_file it takes any text
         return folder / path
-    return mesh_path(path) if path in mesh_names() else None
+    return _shipped_mesh(path)
+
+
+def _shipped_mesh(name: str) -> Path | None:
+    """The file of a shipped mesh, None for another name; the folder is not listed, which many scenes would wait for."""
+    files = [data_folder() / "meshes" / f"{name}{suffix}" for suffix in MESH_SUFFIXES]
+    return next((file for file in files if file.stem == name and os.path.isfile(file)), None)
