@@ -164,10 +164,7 @@ def is_stopped(folder: Path, tests: tuple[str, ...], mutant: Mutant | None = Non
     if path and mutant:
         path.write_text(mutant.source, encoding="utf-8")
     try:
-        return any(
-            fails([sys.executable, "-m", "pytest", "-x", "-q", "-n", "0", each], checkout, environment)
-            for each in tests
-        )
+        return any(fails(each, checkout, environment) for each in tests)
     finally:
         if path:
             path.write_text(original, encoding="utf-8")

@@ -9,6 +9,7 @@ import hashlib
 import logging
 import os
 import pickle
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -36,18 +37,8 @@ class KernelFiles:
         """The compiled function for these argument types, or None."""
         target.refresh()
         path = self._path(types, target.codegen())
-        if path is None or not path.exists():
-            return None
-        try:
-            content = path.read_bytes()
-        except OSError as error:
-            _say(path, "a file that can be read", error.strerror or "none", "its kernel is compiled again")
-            return None
-        digest, reduced = content[:DIGEST], content[DIGEST:]
-        if hashlib.sha256(reduced).digest() != digest:
-            _say(path, "a whole file", "a damaged one", "it is compiled and written again")
-            return None
-        return COMPILE_RESULT._rebuild(target, *pickle.loads(reduced))
+        reduced = path and _kept(path)
+        return COMPILE_RESULT._rebuild(target, *pickle.loads(reduced)) if reduced else None
 
     def save_overload(self, types: Any, result: Any) -> None:
         """Keep a compiled function."""
@@ -57,7 +48,7 @@ class KernelFiles:
         reduced = DUMPS(result._reduce())
         part = path.with_suffix(f".{os.getpid()}.part")
         try:
-            part.write_bytes(hashlib.sha256(reduced).digest() + reduced)
+            part.write_bytes(_digest(path, reduced) + reduced)
             part.replace(path)
         except OSError as error:
             _say(path, "a file that can be written", error.strerror or "none", "the next process compiles again")
@@ -70,6 +61,38 @@ class KernelFiles:
         name = self._function.__qualname__
         key = repr([sources, self._function.__module__, name, str(types), codegen.magic_tuple()])
         return self._folder / f"{name}-{hashlib.sha256(key.encode()).hexdigest()[:DIGEST]}{SUFFIX}"
+
+
+def _kept(path: Path) -> bytes | None:
+    """What was kept in a file; None if there is none, or a damaged one, which is said: it will be replaced."""
+    if not os.path.lexists(path):
+        return None
+    try:
+        if not path.is_file():
+            _clear(path)
+            came = "a folder or a device"
+        else:
+            content = path.read_bytes()
+            if content[:DIGEST] == _digest(path, content[DIGEST:]):
+                return content[DIGEST:]
+            came = "a damaged one"
+    except OSError as error:
+        came = error.strerror or "one that cannot be read"
+    _say(path, "a whole file", came, "it is compiled and written again")
+    return None
+
+
+def _digest(path: Path, reduced: bytes) -> bytes:
+    """The hash of a file's content and of its name, so that one under another's name is none."""
+    return hashlib.sha256(path.name.encode() + b"\0" + reduced).digest()
+
+
+def _clear(path: Path) -> None:
+    """Remove what no file can be written over."""
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path)
+    else:
+        path.unlink()
 
 
 def _say(path: Path, expected: str, came: str, remedy: str) -> None:
