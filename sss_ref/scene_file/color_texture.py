@@ -1,4 +1,4 @@
-"""Colour textures: 8-bit sRGB pictures, decoded to linear float32 by a table."""
+"""Pictures over a mesh: their codes, and those of 8 bits that are sRGB decoded to linear float32 by a table."""
 
 import warnings
 from collections.abc import Iterator
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from sss_ref.errors import SceneError
 from sss_ref.numerics.trigonometry import fifty_digits
+from sss_ref.scene_file.png_codes import Codes, PngContent, PngFault
 from sss_ref.scene_file.quantities import LARGEST_SIZE
 
 MODES = ("1", "L", "LA", "P", "PA", "RGB", "RGBA")  # Pillow's names of what has 8 bits a channel or fewer
@@ -29,22 +30,24 @@ def load_texture(path: Path) -> FloatArray:
     return srgb_decoded()[codes_of(path)]
 
 
-def codes_of(path: Path) -> NDArray[np.uint8]:
-    """The codes of a PNG or JPEG file of 8 bits a channel, uint8 (H, W, 3), row 0 at the bottom.
+def codes_of(path: Path, deepest: int = 8) -> Codes:
+    """The codes of a PNG or JPEG file, uint8 or uint16 (H, W, 3), row 0 at the bottom. Grey becomes RGB.
 
-    Raises SceneError for anything else, for a side of more than 16384 texels, and for what Pillow takes for a bomb
-    (more than 178 million texels).
+    deepest: 8 or 16 bits a channel, where PNG may have more than 8. Raises SceneError for anything else, for a side of
+    more than 16384 texels, and for what Pillow takes for a bomb (more than 178 million texels).
     """
     try:
         with _opened(path) as (image, depth):
-            _check(image, depth)
-            codes: NDArray[np.uint8] = np.asarray(image.convert("RGB"))[::-1]
+            deep = image.format == "PNG" and depth == b"\x10"
+            _check(image, deep, deepest)
+            return _deep_codes(path) if deep else np.asarray(image.convert("RGB"))[::-1]
     except SceneError:
         raise
+    except PngFault as fault:
+        raise SceneError(str(fault)) from None
     except Exception as error:  # whatever a broken picture makes Pillow raise
         reason = f"one that cannot be read ({type(error).__name__}: {error})".splitlines()[0]
         raise SceneError(f"expected a PNG or JPEG picture, got {reason}; export it again") from None
-    return codes
 
 
 def texture_size(path: Path) -> tuple[int, int]:
@@ -90,10 +93,18 @@ def _decoded(code: int) -> float:
     return float(mp.fadd(linear, 0, prec=24))  # to the precision of float32 in one step, not by way of float64
 
 
-def _check(image: Any, depth: bytes) -> None:
+def _check(image: Any, deep: bool, deepest: int) -> None:
     if max(image.size) > LARGEST_SIZE:
         came = "{} x {}".format(*image.size)
         raise SceneError(f"expected at most {LARGEST_SIZE} texels a side, got {came}; scale it down")
-    if image.mode not in MODES or (image.format == "PNG" and depth == b"\x10"):
-        came = "16 bits" if image.format == "PNG" else image.mode
-        raise SceneError(f"expected grey or RGB of 8 bits a channel, got {came}; convert the picture")
+    if deepest < 16 and deep:
+        raise SceneError("expected grey or RGB of 8 bits a channel, got 16 bits; convert the picture")
+    if image.mode not in MODES and not deep:
+        raise SceneError(f"expected grey or RGB of 8 bits a channel, got {image.mode}; convert the picture")
+
+
+def _deep_codes(path: Path) -> Codes:
+    """The codes of a PNG file of 16 bits, of which Pillow keeps 8."""
+    content = PngContent.of(path.read_bytes())
+    rgb: Codes = content.codes()[::-1, :, [0, 1, 2] if "G" in content.header.channels else [0, 0, 0]]
+    return rgb

@@ -12,15 +12,15 @@ FloatArray = NDArray[np.float32]
 
 
 def load_linear(path: Path) -> FloatArray:
-    """The texels of a PNG or JPEG file, code/255, float32 (H, W, 3), row 0 at the bottom.
+    """The texels of a PNG or JPEG file, code/255 or, of 16 bits, code/65535, float32 (H, W, 3), row 0 at the bottom.
 
-    Grey becomes RGB; alpha is not used. An NPY file holds the very texels, as a bundle has them. Raises SceneError as
-    `codes_of` does, and for an array of another form or with numbers outside 0 to 1.
+    The quotient is rounded once. Grey becomes RGB; alpha is not used. An NPY file holds the very texels, as a bundle
+    has them. Raises SceneError as `codes_of` does, and for an array of another form or with numbers outside 0 to 1.
     """
     if path.suffix == ".npy":
         return _array(path)
-    codes = codes_of(path)
-    return (codes / np.float64(np.iinfo(codes.dtype).max)).astype(np.float32)
+    codes = codes_of(path, deepest=16)
+    return (codes / np.float64(np.iinfo(codes.dtype).max)).astype(np.float32, order="C")
 
 
 def _array(path: Path) -> FloatArray:
