@@ -176,6 +176,8 @@ class GltfTop(Entry):
     nodes: list[Any] = []
     scenes: list[Any] = []
     skins: list[Any] = []
+    textures: Any = []  # these two only for what notes say of them
+    images: Any = []
 
 
 E = TypeVar("E", bound=Entry)

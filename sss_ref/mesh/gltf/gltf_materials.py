@@ -50,7 +50,7 @@ class GltfMaterial(Entry):
     table = "materials"
     name: str = ""
     pbrMetallicRoughness: MetallicRoughness = MetallicRoughness()
-    normalTexture: Any = None  # nothing is read of it
+    normalTexture: Any = None  # only notes tell of it
 
 
 class Appearance:
@@ -66,7 +66,7 @@ class Appearance:
         red, green, blue, _ = color
         self.material = Material(material.name, (red, green, blue), self._texture is not None)
         self._transform = self._transform_of(self._texture)
-        self.has_normal_map = material.normalTexture is not None
+        self.normal_texture = material.normalTexture
 
     def _color(self, material: GltfMaterial) -> tuple[list[float], TextureInfo | None]:
         name = "KHR_materials_pbrSpecularGlossiness"

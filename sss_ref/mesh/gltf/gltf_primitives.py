@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from sss_ref.mesh.gltf.accessors import AccessorForm, Accessors, Numbers
 from sss_ref.mesh.gltf.gltf_document import GltfDocument, GltfPrimitive
 from sss_ref.mesh.gltf.gltf_materials import Appearance
+from sss_ref.mesh.gltf.gltf_normal_maps import normal_map_notes
 from sss_ref.mesh.gltf.morphs import Morphs
 from sss_ref.mesh.materials import Material
 from sss_ref.mesh.part import FloatArray, finite32, refused, vertex_indices
@@ -52,8 +53,10 @@ class PrimitiveReader:
         if "COLOR_0" in primitive.attributes:
             self.notes["colours of vertices (COLOR_0) are not used"] = None
         appearance = Appearance(self._document, primitive.material, f"{place}.material")
-        if appearance.has_normal_map:
-            self.notes["normal maps inside the file are not read; give one as mesh.normal_map"] = None
+        if appearance.normal_texture is not None:
+            tangents = "TANGENT" in primitive.attributes
+            notes = normal_map_notes(self._document, appearance.normal_texture, appearance.uv_set, tangents)
+            self.notes |= dict.fromkeys(notes)
         morphs = Morphs(self._document, self._accessors, place, primitive, weights)
         positions = morphs.applied("POSITION", POSITION, None)
         count = len(positions)

@@ -54,11 +54,6 @@ def test_material(tmp_path, material, expected):
     assert with_material(material).loaded(tmp_path).materials == (expected,)
 
 
-def test_a_normal_map_is_told_of(tmp_path):
-    told = "normal maps inside the file are not read; give one as mesh.normal_map"
-    assert with_material({"normalTexture": {"index": 0}}).loaded(tmp_path).notes == (told,)
-
-
 def test_no_material(tmp_path):
     builder = GltfBuilder(materials=["not looked at"])
     builder.add("meshes", {"primitives": [builder.primitive()]})
