@@ -4,8 +4,12 @@ Every reader holds what a file declares against the file's size before it takes 
 the files that a mesh refers to.
 """
 
+import hashlib
 import os
 import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path, PureWindowsPath
 from urllib.parse import unquote
 
@@ -19,6 +23,38 @@ ELEMENT_LIMIT = 2**24  # vertices, and faces
 
 COMPRESSED = {b"PK\3\4": "zip", b"\x1f\x8b": "gzip", b"BZh": "bzip2", b"\xfd7zXZ": "xz", b"(\xb5/\xfd": "zstd"}
 URI = re.compile(r"[A-Za-z][A-Za-z0-9+.-]*:")
+
+References = dict[str, str | None]
+"""What a mesh file refers to -> the SHA-256 of the file's content, "" if that was not read, None if there is none."""
+
+_seen: ContextVar[References | None] = ContextVar("seen", default=None)
+
+
+@contextmanager
+def referred_to() -> Iterator[References]:
+    """The references that are followed in the meantime."""
+    references: References = {}
+    token = _seen.set(references)
+    try:
+        yield references
+    finally:
+        _seen.reset(token)
+
+
+def unchanged(mesh: Path, references: References) -> bool:
+    """Whether the files that a mesh refers to are as they were."""
+    folder = OwnFolder(mesh)
+    try:
+        return all(_state(folder, reference, was) == was for reference, was in references.items())
+    except (MeshError, OSError):
+        return False
+
+
+def _state(folder: "OwnFolder", reference: str, was: str | None) -> str | None:
+    """How a file is now, as far as `was` says how it was."""
+    if not folder.holds(reference):
+        return None
+    return hashlib.sha256(folder.get(reference)).hexdigest() if was else ""
 
 
 class OwnFolder:
@@ -37,7 +73,9 @@ class OwnFolder:
         self._bytes_left -= path.stat().st_size
         if self._bytes_left < 0:
             raise self._refused(f"at most {BYTE_LIMIT} bytes in the files it refers to", reference, "simplify the mesh")
-        return path.read_bytes()
+        content = path.read_bytes()
+        self._see(reference, hashlib.sha256(content).hexdigest())
+        return content
 
     def holds(self, reference: str) -> bool:
         """Whether there is such a file. Raises MeshError if it is elsewhere."""
@@ -53,8 +91,16 @@ class OwnFolder:
             if leads_out(name) or not self._is_inside(name):
                 raise self._refused("references to files in its own folder", reference, "copy the file there")
             if os.path.isfile(self._folder / name):  # unlike Path.is_file it takes any text
+                self._see(reference, "")
                 return self._folder / name
+        self._see(reference, None)
         return None
+
+    def _see(self, reference: str, state: str | None) -> None:
+        """Note how a referenced file is, for `referred_to`; what was read of it is not forgotten."""
+        seen = _seen.get()
+        if seen is not None:
+            seen[reference] = state or seen.get(reference) or state
 
     def _is_inside(self, name: str) -> bool:
         """Whether links lead a name out of the folder; a text that is no name of a file stays inside."""

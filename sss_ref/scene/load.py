@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from sss_ref.errors import SceneError
-from sss_ref.mesh.mesh_file import load_mesh
+from sss_ref.mesh.recent_meshes import recent_mesh
 from sss_ref.mesh.tangents import with_tangents
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.mesh.unwrap import unwrapped
@@ -44,7 +44,7 @@ def load_scene(scene: str | os.PathLike[str] | Mapping[str, Any], /, **overrides
 
 def read_mesh(path: Path, unwrap: bool, tangents: bool) -> Mesh:
     """The mesh in a file, with UVs made for it and tangents where they are asked for. Raises MeshError."""
-    mesh = unwrapped(load_mesh(path)) if unwrap else load_mesh(path)
+    mesh = unwrapped(recent_mesh(path)) if unwrap else recent_mesh(path)
     return with_tangents(mesh) if tangents and mesh.uvs is not None else mesh
 
 

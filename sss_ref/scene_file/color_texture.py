@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from sss_ref.cache.recent import of_unchanged_file
 from sss_ref.errors import SceneError
 from sss_ref.numerics.trigonometry import fifty_digits
 from sss_ref.scene_file.png_codes import Codes, PngContent, PngFault
@@ -21,6 +22,7 @@ PNG_DEPTH = slice(24, 25)  # where a PNG file says how many bits a channel has
 FloatArray = NDArray[np.float32]
 
 
+@of_unchanged_file
 def load_texture(path: Path) -> FloatArray:
     """The texels of a PNG or JPEG file: linear RGB float32 (H, W, 3), row 0 at the bottom.
 

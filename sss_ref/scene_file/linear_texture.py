@@ -5,12 +5,14 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from sss_ref.cache.recent import of_unchanged_file
 from sss_ref.errors import SceneError
 from sss_ref.scene_file.color_texture import codes_of
 
 FloatArray = NDArray[np.float32]
 
 
+@of_unchanged_file
 def load_linear(path: Path) -> FloatArray:
     """The texels of a PNG or JPEG file, code/255 or, of 16 bits, code/65535, float32 (H, W, 3), row 0 at the bottom.
 

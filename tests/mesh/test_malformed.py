@@ -156,7 +156,7 @@ def test_text_has_a_lower_limit(tmp_path, monkeypatch, name, content):
 def test_all_is_wrong_with_a_scene_and_no_work_is_done(small, monkeypatch):
     """Typos, wrong types, nan, zero sizes, a camera at its target, near beyond far and too large buffers at once."""
     monkeypatch.setattr(mesh, "load_mesh", None)
-    monkeypatch.setattr("sss_ref.scene.load.load_mesh", None)
+    monkeypatch.setattr("sss_ref.scene.load.recent_mesh", None)
     small["camera"] = {"type": "look_at", "eye": [1, 2, 3], "target": [1, 2, 3], "near": 5, "far": 4, "width": 0}
     small["shadow_map"] = {"heigth": 1, "bias_abs": float("nan")}
     small["phong"] = {"ambient": True}
