@@ -2,7 +2,7 @@
 
 from dataclasses import fields, replace
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -36,7 +36,8 @@ def recent_mesh(path: Path) -> Mesh:
 
 
 def _copied(mesh: Mesh) -> Mesh:
-    return replace(mesh, **{name: array.copy() for name, array in _arrays(mesh).items()})
+    copies: dict[str, Any] = {name: array.copy() for name, array in _arrays(mesh).items()}
+    return replace(mesh, **copies)
 
 
 def _arrays(mesh: Mesh) -> dict[str, np.ndarray]:

@@ -51,7 +51,7 @@ def refusal(path):
 
 
 def test_too_large(tmp_path, monkeypatch):
-    Image.fromarray(PIXELS).save(tmp_path / "a.png")
+    Image.fromarray(255 - PIXELS).save(tmp_path / "a.png")  # one that was not read before
     monkeypatch.setattr(textures, "LARGEST_SIZE", 2)
     assert refusal(tmp_path / "a.png") == "expected at most 2 texels a side, got 3 x 2; scale it down"
 
