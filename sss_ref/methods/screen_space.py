@@ -8,8 +8,17 @@ from sss_ref.language.names import tap_name
 from sss_ref.language.pipeline import Method, Pass, ScreenDraw
 from sss_ref.methods.inner_body import inner, of_inner
 from sss_ref.methods.per_light import Lights
-from sss_ref.methods.shared import NEUTRAL, behind_the_surface, by_channel, camera_view, shadow_maps
-from sss_ref.passes import blur, blur_on_surface, composite, lengths, seen_through, translucency, transmittance
+from sss_ref.methods.shared import NEUTRAL, behind_the_surface, by_channel, camera_view, is_soft, shadow_maps
+from sss_ref.passes import (
+    blur,
+    blur_on_surface,
+    composite,
+    lengths,
+    seen_through,
+    soft_shadow,
+    translucency,
+    transmittance,
+)
 from sss_ref.scene_file.settings import SceneFile
 
 COMBINE = {  # how T joins the light, and the T that changes nothing
@@ -17,6 +26,12 @@ COMBINE = {  # how T joins the light, and the T that changes nothing
     "add": (translucency.lit_add, 0.0),
     "transmit": (translucency.lit_transmit, 0.0),
     "transmit_wrapped": (transmittance.lit_transmit_wrapped, 0.0),
+}
+COMBINE_SOFT = {  # the same with a soft shadow; `add` asks only T whether a point is lit
+    "multiply": soft_shadow.lit_multiply_soft,
+    "add": translucency.lit_add,
+    "transmit": soft_shadow.lit_transmit_soft,
+    "transmit_wrapped": soft_shadow.lit_transmit_wrapped_soft,
 }
 BLUR = {"none": blur.scatter, "output": blur.scatter, "taps": blur.scatter_inside}
 BLUR_ON_SURFACE = BLUR | {"output": blur_on_surface.scatter_on_surface, "taps": blur_on_surface.scatter_inside_surface}
@@ -52,7 +67,8 @@ def screen_space(settings: SceneFile) -> Method:
 
 def lit(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
     """The stages that join reflected light and light from behind."""
-    combine, _ = COMBINE[settings.translucency.combine]
+    way = settings.translucency.combine
+    combine = COMBINE_SOFT[way] if is_soft(settings) else COMBINE[way][0]
     return (*lights.each(by_channel(settings, combine)), *lights.summed("lit"))
 
 

@@ -6,7 +6,7 @@ from sss_ref.language import Stage, vec3
 from sss_ref.language.names import Name
 from sss_ref.language.pipeline import MeshDraw, Pass
 from sss_ref.methods.per_light import Lights, of_light
-from sss_ref.passes import phong, shadow_map, translucency, transmittance
+from sss_ref.passes import phong, shadow_map, soft_shadow, translucency, transmittance
 from sss_ref.passes.camera import albedo_by_material, albedo_constant, albedo_textured, surface
 from sss_ref.passes.surface_detail import normal_mapped, specular_mapped
 from sss_ref.passes.vertex import mesh_vertex, tangent_vertex
@@ -14,7 +14,11 @@ from sss_ref.scene_file.settings import SceneFile
 
 ALBEDO = {"constant": albedo_constant, "texture": albedo_textured, "material": albedo_by_material}
 SHADOW_LOOKUP = {"nearest": shadow_map.shadow_lookup_nearest, "bilinear": shadow_map.shadow_lookup_bilinear}
-SHADOW_TEST = {"slope": shadow_map.directly_lit_slope, "literal": shadow_map.directly_lit_literal}
+SHADOW_TEST = {
+    "slope": (shadow_map.directly_lit_slope,),
+    "literal": (shadow_map.directly_lit_literal,),
+    "kernel": (shadow_map.directly_lit_slope, soft_shadow.light_visible_kernel),
+}
 BACK_POINT = {"point": shadow_map.back_point, "directional": shadow_map.back_point_parallel}
 FALLOFF = {"none": phong.light_constant, "inverse_square": phong.light_inverse_square}
 FORM = {
@@ -88,6 +92,16 @@ def is_wrapped(settings: SceneFile) -> bool:
     return settings.translucency.combine == "transmit_wrapped" and in_image
 
 
+def is_soft(settings: SceneFile) -> bool:
+    """Whether shadows have soft edges."""
+    return settings.shadow_map.test == "kernel"
+
+
+def is_blended(settings: SceneFile) -> bool:
+    """Whether the paper's two cases are blended at a soft edge, so that T is asked for where a point is lit too."""
+    return is_soft(settings) and settings.method == "screen_space" and settings.translucency.combine != "add"
+
+
 def thickness_below(settings: SceneFile, kind: str) -> tuple[Stage, ...]:
     """How far the light travels to what lies below a point; kind: the light's type."""
     lookup = SHADOW_LOOKUP[settings.shadow_map.filter].bound(position_world="inside_point", **INSIDE)
@@ -100,7 +114,7 @@ def translucency_form(settings: SceneFile) -> Stage:
     """The stage that computes T."""
     if is_wrapped(settings):
         return FORM_THROUGHOUT[settings.translucency.form].bound(shadow_uv=INSIDE["shadow_uv"])
-    return FORM[settings.translucency.form]
+    return (FORM_THROUGHOUT if is_blended(settings) else FORM)[settings.translucency.form]
 
 
 def light_at_the_surface(settings: SceneFile, lights: Lights, below: bool = False) -> tuple[Stage, ...]:
@@ -113,7 +127,7 @@ def light_at_the_surface(settings: SceneFile, lights: Lights, below: bool = Fals
         own = (
             SHADOW_LOOKUP[settings.shadow_map.filter],
             *(thickness_below(settings, kind) if below else (BACK_POINT[kind],)),
-            of_geometry(settings, SHADOW_TEST[settings.shadow_map.test]),
+            *(of_geometry(settings, stage) for stage in SHADOW_TEST[settings.shadow_map.test]),
             FALLOFF[falloff],
         )
         stages += [stage.renamed(of_light(light)) for stage in own]

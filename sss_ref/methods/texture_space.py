@@ -12,13 +12,14 @@ from sss_ref.methods.shared import (
     behind_the_surface,
     by_channel,
     camera_view,
+    is_soft,
     is_wrapped,
     light_at_the_surface,
     shadow_maps,
     shining,
     surface_stages,
 )
-from sss_ref.passes import blur, irradiance, lengths, shadow_map, texture_image, transmittance
+from sss_ref.passes import blur, irradiance, lengths, shadow_map, soft_shadow, texture_image, transmittance
 from sss_ref.passes.vertex import layout_vertex, tangent_layout_vertex
 from sss_ref.scene_file.settings import SceneFile
 
@@ -94,8 +95,15 @@ def irradiance_stages(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
     return in_texels(
         *surface_stages(settings),
         *light_at_the_surface(settings, lights),
-        *lights.each(MODE[settings.irradiance_map.mode]),
+        *lights.each(mode(settings)),
     )
+
+
+def mode(settings: SceneFile) -> Stage:
+    """The stage of the irradiance; of all modes only `lambert` asks the shadow map."""
+    if is_soft(settings) and settings.irradiance_map.mode == "lambert":
+        return soft_shadow.irradiance_lambert_soft
+    return MODE[settings.irradiance_map.mode]
 
 
 def in_texels(*stages: Stage) -> tuple[Stage, ...]:
@@ -140,5 +148,6 @@ def image(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
     """The picture from irradiance and Phong colour, or from irradiance, albedo and highlights."""
     if settings.irradiance_map.image == "sqrt":
         return (texture_image.image_sqrt,)
-    gloss = (*shining(settings, *lights.each(texture_image.gloss_where_lit)), *lights.summed("gloss"))
+    of_one = soft_shadow.gloss_soft if is_soft(settings) else texture_image.gloss_where_lit
+    gloss = (*shining(settings, *lights.each(of_one)), *lights.summed("gloss"))
     return (*gloss, texture_image.image_product)

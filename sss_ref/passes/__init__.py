@@ -6,7 +6,7 @@
 4. `surface_detail`: the same surface with finer normals and a highlight of its own, from pictures over it.
 5. `phong`: how that surface reflects the light.
 6. `translucency`: how much light comes through the body, and how it joins what is reflected; `transmittance`: the same
-   for light that goes round to the lit side.
+   for light that goes round to the lit side. `soft_shadow`: both with the soft edge of a shadow.
 7. `seen_through`: how much of a body inside the mesh is seen, and how much light gets there.
 8. `blur`: how light that scatters below the surface leaves beside where it entered (Table 1). Where its offsets are in
    mm, `lengths` says what these are in pixels, and `blur_on_surface` keeps it from what lies far behind.

@@ -59,6 +59,7 @@ BUFFERS = {
     "entry_point": Buffer("scene units, world space", per_light=True),
     "thickness": Buffer("scene units along the light's ray", per_light=True),
     "directly_lit": Buffer("1 where the light reaches the fragment", per_light=True),
+    "light_visible": Buffer("share, 0 to 1, of the surface around that sees the light", per_light=True),
     "light_around": Buffer("linear RGB", per_light=True),
     "incident_light": Buffer("linear RGB", per_light=True),
     "phong": Buffer("linear RGB", per_light=True),

@@ -65,6 +65,7 @@ def _plainest(tables: Mapping[str, Any]) -> settings.SceneFile:
         preset[name] |= {key: getattr(tables[name], key) for key in DECIDE[name]}
     if "translucency" in tables:
         preset["translucency"]["scale"] = (1.0,) * 3 if tables["translucency"].by_channel else 1.0
+    soft = "shadow_map" in tables and tables["shadow_map"].test == "kernel"
     return settings.SceneFile.model_construct(
         method=tables.get("method", "screen_space"),
         preset=chosen,
@@ -72,6 +73,7 @@ def _plainest(tables: Mapping[str, Any]) -> settings.SceneFile:
         layers=tables.get("layers", ()),
         camera=viewpoints.OrbitCamera.model_construct(type="orbit"),
         lights=(viewpoints.PointLight.model_construct(),) * len(tables.get("lights", "1")),
+        shadow_map=settings.ShadowMap(test="kernel" if soft else "slope"),
         translucency=scattering.TranslucencySettings.model_construct(**preset["translucency"]),
         blur=scattering.Blur.model_construct(**preset["blur"]),
         irradiance_map=settings.IrradianceMap.model_construct(**preset["irradiance_map"]),

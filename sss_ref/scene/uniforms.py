@@ -49,6 +49,7 @@ def uniforms_of(
         "lookup_inset": settings.shadow_map.lookup_inset,
         "bias_abs": settings.shadow_map.bias_abs,
         "bias_slope": settings.shadow_map.bias_slope,
+        "kernel_scale": settings.shadow_map.kernel_scale,
         "lookup_depth": settings.shadow_map.lookup_depth,
         "ambient": settings.phong.ambient,
         "diffuse": settings.phong.diffuse,

@@ -111,8 +111,11 @@ class ShadowMap(Table):
     """How light_distance is sampled."""
     lookup_inset: Inset = 1.0
     """Factor on the normalised device coordinates before the lookup."""
-    test: Literal["slope", "literal", "exact"] = "slope"
-    """Bias of the shadow test: grows with the surface's slope, or bias_abs alone (paper 3.2); exact: thickness 0."""
+    test: Literal["slope", "literal", "kernel", "exact"] = "slope"
+    """Bias of the shadow test: grows with the surface's slope, or bias_abs alone (paper 3.2); kernel: as slope, and
+    for every tap of the blur's kernel around, which makes edges soft (paper 2.1); exact: thickness 0."""
+    kernel_scale: NonNegative = 6.0
+    """Texels that an offset of 1 of the blur's kernel is on the surface, with test "kernel"."""
     bias_abs: NonNegative = 0.0
     """Constant part of the bias, scene units."""
     bias_slope: NonNegative = 1.5

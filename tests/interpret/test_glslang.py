@@ -44,7 +44,12 @@ CHOICES = {
     "irradiance_map.mode": alternatives(settings.IrradianceMap, "mode"),
     "irradiance_map.image": alternatives(settings.IrradianceMap, "image"),
 }
-TOGETHER = {"irradiance_map.image": "product", "translucency.combine": "transmit_wrapped"}
+WRAPPED = {"irradiance_map.image": "product", "translucency.combine": "transmit_wrapped"}
+SOFT = {"shadow_map.test": "kernel", "irradiance_map": {"image": "product", "mode": "lambert"}}
+TOGETHER = (
+    WRAPPED,
+    *({**SOFT, "translucency.combine": way} for way in alternatives(scattering.TranslucencySettings, "combine")),
+)
 
 
 COMMANDS = {  # per file; the compiler for HLSL makes SPIR-V, whose bindings the file need not have
@@ -65,7 +70,7 @@ def shaders(dialect):
     cases = [
         {"method": method, key: value} for method in METHODS for key, values in CHOICES.items() for value in values
     ]
-    cases += [{"method": method, **TOGETHER} for method in METHODS]
+    cases += [{"method": method, **together} for method in METHODS for together in TOGETHER]
     cases += [{"layers": [LAYER], **lights} for lights in ({}, {"lights.0.type": "directional"})]
     methods = [method_of(settings_with(case)) for case in cases]
     files = [

@@ -161,7 +161,7 @@ def test_the_cases_hold_every_alternative_of_the_scene_file():
         "lights.0.falloff": viewpoints.PointLight.model_fields["falloff"],
     }
     assert {key: set(get_args(field.annotation)) for key, field in alternatives.items()} == {
-        key: set(stages) | ({"exact"} if key == "shadow_map.test" else set())  # that of preset `published`
+        key: set(stages) | ({"exact", "kernel"} if key == "shadow_map.test" else set())  # see test_soft_edges.py
         for key, stages in CHOICES.items()
     }
     stages = set(chain.from_iterable(CHOICES[key].values() for key in CHOICES))

@@ -385,6 +385,122 @@ def lit_transmit_wrapped(
     return (added(reflected, scaled(times(albedo, incident_light), factor)),)
 
 
+# Soft shadows
+
+
+def _is_seen(beside, light_position, light_clip_from_world, lookup_inset, light_distance, light_triangle, bias):
+    uv = _shadow_uv(beside, light_clip_from_world, lookup_inset)
+    if uv is None or nearest(light_triangle, uv)[0] < 0:
+        return F(1)
+    nearer = length(minus(beside, light_position)) - bias
+    return F(1) if nearest(light_distance, uv)[0] >= nearer else F(0)
+
+
+def light_visible_kernel(
+    position_world,
+    normal_world,
+    light_position,
+    light_clip_from_world,
+    light_texel_size,
+    lookup_inset,
+    light_distance,
+    light_triangle,
+    tap_offset,
+    tap_weight,
+    tap_count,
+    kernel_scale,
+    bias_abs,
+    bias_slope,
+):
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    if not facing > 0:
+        return ([F(0)] * 3,)
+    c = minimum(maximum(abs(facing), F(0.05)), F(1))
+    falls = F(1) + np.sqrt(F(1) - c * c) / c
+    texel = maximum(transform(light_clip_from_world, [*position_world, F(1)])[3], F(0)) * light_texel_size
+    row = [transform(light_clip_from_world, [F(k == axis) for k in range(4)])[0] for axis in range(3)]
+    across = normalize(minus(row, scaled(normal_world, dot(normal_world, row))))
+    along = cross(normal_world, across)
+    total, whole = [F(0)] * 3, [F(0)] * 3
+    for tap in range(tap_count):
+        x, y = (v * kernel_scale for v in tap_offset[tap])
+        beside = added(position_world, scaled(added(scaled(across, x), scaled(along, y)), texel))
+        bias = bias_abs + bias_slope * (texel * ((F(1) + F(0.125) * np.sqrt(x * x + y * y)) * falls))
+        at = beside, light_position, light_clip_from_world, lookup_inset, light_distance, light_triangle
+        total = added(total, scaled(tap_weight[tap], _is_seen(*at, bias)))
+        whole = added(whole, list(tap_weight[tap]))
+    return ([F(1) if w == 0 else minimum(maximum(t / w, F(0)), F(1)) for t, w in zip(total, whole, strict=True)],)
+
+
+def _blended(shaded, bright, visible):
+    return added(times(shaded, minus([F(1)] * 3, visible)), times(bright, visible))
+
+
+def lit_multiply_soft(phong, light_visible, translucency):
+    return (_blended(scaled(phong, translucency), phong, light_visible),)
+
+
+def _soft(phong, albedo, light_visible, ambient, light_count):
+    return _blended(scaled(albedo, ambient / light_count), phong, light_visible)
+
+
+def lit_transmit_soft(
+    phong,
+    albedo,
+    light_visible,
+    translucency,
+    incident_light,
+    position_world,
+    normal_world,
+    light_position,
+    translucency_scale,
+    ambient,
+    light_count,
+):
+    facing = dot(normal_world, normalize(minus(light_position, position_world)))
+    factor = (translucency * translucency_scale) * maximum(-facing, F(0))
+    reflected = _soft(phong, albedo, light_visible, ambient, light_count)
+    return (added(reflected, scaled(times(albedo, incident_light), factor)),)
+
+
+def lit_transmit_wrapped_soft(
+    phong,
+    albedo,
+    light_visible,
+    translucency,
+    incident_light,
+    position_world,
+    normal_world,
+    light_position,
+    translucency_scale,
+    wrap,
+    ambient,
+    light_count,
+):
+    factor = (translucency * translucency_scale) * _wrapped(position_world, normal_world, light_position, wrap)
+    reflected = _soft(phong, albedo, light_visible, ambient, light_count)
+    return (added(reflected, scaled(times(albedo, incident_light), factor)),)
+
+
+def irradiance_lambert_soft(position_world, normal_world, light_position, incident_light, light_visible):
+    facing = maximum(dot(normal_world, normalize(minus(light_position, position_world))), F(0))
+    return (scaled(times(incident_light, light_visible), facing),)
+
+
+def gloss_soft(
+    position_world,
+    normal_world,
+    light_position,
+    camera_position,
+    incident_light,
+    light_visible,
+    specular,
+    shininess,
+):
+    shine = specular * _highlight(position_world, normal_world, light_position, camera_position, shininess)
+    return (scaled(times(incident_light, light_visible), shine),)
+
+
 # Blur
 
 

@@ -7,6 +7,7 @@ from sss_ref.methods.stages import all_stages
 from sss_ref.passes.blur import scatter, scatter_inside, single_tap
 from sss_ref.passes.irradiance import dilate
 from sss_ref.passes.lengths import offset_length
+from sss_ref.passes.soft_shadow import lit_multiply_soft, lit_transmit_soft, lit_transmit_wrapped_soft
 from sss_ref.passes.texture_image import irradiance_added, irradiance_replaced
 from sss_ref.passes.translucency import (
     lit_add,
@@ -49,6 +50,9 @@ JOINED = (
     lit_add,
     lit_transmit,
     lit_transmit_wrapped,
+    lit_multiply_soft,
+    lit_transmit_soft,
+    lit_transmit_wrapped_soft,
     irradiance_replaced,
     irradiance_added,
     irradiance_added_wrapped,
