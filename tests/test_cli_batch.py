@@ -4,8 +4,10 @@ import subprocess
 import sys
 
 import pytest
+from PIL import Image
 
 from sss_ref.batch.executors import serially
+from sss_ref.batch.film import has_encoder
 from sss_ref.cli import batch_commands, main
 from sss_ref.cli.batch_commands import _executor
 
@@ -101,3 +103,26 @@ def test_it_runs_as_a_command_with_processes(sweep, tmp_path):
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 1, done.stderr
     assert done.stdout.startswith("2 rendered, 0 were there, 3 failed: ")
+
+
+def test_a_turntable_leaves_films_and_a_sheet(sweep, tmp_path, capsys):
+    small = ["--size", "32x24", "--set", "shadow_map.width=32", "--set", "shadow_map.height=32", "--jobs", "1"]
+    assert main(["turntable", "scene.toml", "-o", "turn", "--frames", "3", *small, "--interpreter", "arrays"]) == 0
+    assert {"turntable.gif", "contact_sheet.png", "items.csv"} < {*os.listdir("turn")}
+    assert str(tmp_path / "turn" / "turntable.gif") in capsys.readouterr().out
+    assert ("turntable.mp4" in os.listdir("turn")) == has_encoder()
+
+
+def test_a_batch_makes_a_film_of_what_did_not_fail(sweep, capsys):
+    assert main(["batch", sweep, "-o", "out", "--jobs", "1", "--interpreter", "arrays", "--video", "10"]) == 1
+    with Image.open("out/batch.gif") as gif:
+        assert (gif.n_frames, gif.info["duration"]) == (2, 100)
+
+
+def test_a_film_needs_pictures_and_a_rate(sweep, tmp_path, capsys):
+    assert main(["batch", sweep, "-o", "out", "--video", "0"]) == 2
+    assert "pictures per second: expected 1 to 100, got 0" in capsys.readouterr().err
+    (tmp_path / sweep).write_text(f'outputs = ["npz"]\n{SWEEP}')
+    assert main(["batch", sweep, "-o", "out", "--video", "10"]) == 2
+    assert '--video: expected the output "png", got npz' in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()

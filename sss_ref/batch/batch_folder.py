@@ -1,9 +1,8 @@
 """The folder of a batch, and batch.json in it, which says what every item has: two sweeps may share a folder."""
 
-import os
-import tempfile
 from pathlib import Path
 from typing import Final, Literal
+from uuid import uuid4
 
 from pydantic import ValidationError
 
@@ -45,10 +44,9 @@ def claim(folder: Path, sweep: Sweep) -> Path:
 def write_whole(path: Path, text: str) -> None:
     """Write a text file that is there as a whole or not at all. Raises DumpError."""
     try:
-        number, hidden = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-        with os.fdopen(number, "w", encoding="utf-8", newline="") as file:
-            file.write(text)
-        os.replace(hidden, path)
+        hidden = path.with_name(f".{path.name}.{uuid4().hex}")
+        hidden.write_text(text, encoding="utf-8", newline="")
+        hidden.replace(path)
     except OSError as error:
         raise DumpError(f"{path}: cannot be written ({error.strerror}); choose another folder") from None
 

@@ -3,7 +3,7 @@
 from cyclopts import App, CycloptsError
 from rich.markup import escape
 
-from sss_ref.cli.batch_commands import batch
+from sss_ref.cli.batch_commands import batch, turntable
 from sss_ref.cli.comparing import diff, verify
 from sss_ref.cli.console import BAD_INPUT, err
 from sss_ref.cli.explaining import explain
@@ -25,7 +25,22 @@ def _version() -> str:
 
 
 app = App(name="sss-ref", help=PURPOSE, version=_version, result_action="return_value")
-for command in (init, render, batch, verify, diff, explain, glsl, bundle, webgl, validate, info, scenes, warmup):
+for command in (
+    init,
+    render,
+    batch,
+    turntable,
+    verify,
+    diff,
+    explain,
+    glsl,
+    bundle,
+    webgl,
+    validate,
+    info,
+    scenes,
+    warmup,
+):
     app.command(command)
 app.command("sss_ref.cli.mapping_command:mapping", name="mapping", help=MAPPING)  # loaded when asked for
 

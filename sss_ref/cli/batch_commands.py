@@ -1,4 +1,4 @@
-"""`sss-ref batch`."""
+"""`sss-ref batch` and `turntable`."""
 
 import os
 from collections import Counter
@@ -11,15 +11,18 @@ from cyclopts import Parameter
 from rich.markup import escape
 
 from sss_ref.cli.console import announce_compilation, err, out
-from sss_ref.cli.options import KERNELS, Execution
+from sss_ref.cli.options import KERNELS, NO_CHANGES, Changes, Execution
 from sss_ref.errors import SceneError
 
 if TYPE_CHECKING:
     from sss_ref.batch.executors import ItemExecutor
+    from sss_ref.batch.plan import Shard
     from sss_ref.batch.run import Batch
+    from sss_ref.batch.sweep_file import Sweep
     from sss_ref.batch.workshop import ItemOutcome
 
 SOME_FAILED = 1  # exit code
+FASTEST = 100  # pictures per second: a GIF counts hundredths
 SHOWN_ITEMS = 5  # numbers of items that are told of one failure
 TENTHS = 10  # how often progress is told where there is no terminal
 
@@ -36,24 +39,96 @@ def batch(
     shard: Annotated[
         str | None, Parameter(show_default=False, help="Render this part of the items alone, such as 3/10.")
     ] = None,
+    video: Annotated[
+        int | None, Parameter(show_default=False, help="Make films of the pictures in order, so many a second.")
+    ] = None,
     execution: Execution = KERNELS,
 ) -> int:
     """Render a scene with many values of its keys, item by item; what is there already is not rendered again.
 
     Exit code 1 if an item failed; the others are rendered all the same.
     """
-    from sss_ref.batch.plan import WHOLE, Plan, Shard
-    from sss_ref.batch.run import BatchExecution, run
+    from sss_ref.batch.plan import WHOLE, Shard
     from sss_ref.batch.sweep_file import read_sweep
 
     wanted = read_sweep(sweep)
-    part = Shard.parsed(shard) if shard else WHOLE
+    if video is not None:
+        _check_film(video, wanted.outputs)
+    done = _run(wanted, output, Shard.parsed(shard) if shard else WHOLE, jobs, execution)
+    code = _told(done)
+    if video is not None:
+        _film(wanted, done, "batch", video)
+    return code
+
+
+def turntable(
+    scene: Annotated[str, Parameter(help="A scene file, or the name of a shipped scene.")] = "default",
+    *,
+    output: Annotated[Path, Parameter(alias="-o", help="The folder; an earlier turn there goes on.")] = Path(
+        "turntable"
+    ),
+    frames: Annotated[int, Parameter(help="Pictures in a turn.")] = 72,
+    rate: Annotated[int, Parameter(name="--fps", help="Pictures per second of the films.")] = 24,
+    jobs: Annotated[
+        int | None, Parameter(show_default=False, help="How many pictures are rendered at once; one per processor.")
+    ] = None,
+    changes: Changes = NO_CHANGES,
+    execution: Execution = KERNELS,
+) -> int:
+    """Go around a scene once: pictures, a contact sheet, a GIF and, with the extra `video`, an MP4."""
+    from sss_ref.batch.plan import WHOLE
+    from sss_ref.batch.turntable import turntable as turn
+
+    wanted = turn(scene, frames, changes.overrides())
+    _check_film(rate, wanted.outputs)
+    done = _run(wanted, output, WHOLE, jobs, execution)
+    code = _told(done)
+    _film(wanted, done, "turntable", rate)
+    return code
+
+
+def _run(wanted: "Sweep", output: Path, part: "Shard", jobs: int | None, execution: Execution) -> "Batch":
+    """Render the items of a sweep's part, and tell how far it is."""
+    from sss_ref.batch.plan import Plan
+    from sss_ref.batch.run import BatchExecution, run
+
     items = len(part.of(len(Plan(wanted))))
     announce_compilation(execution)
     executor, threads = _executor(jobs, items, execution.threads)
     with _progress(items) as tell:
-        done = run(wanted, output, BatchExecution(executor, execution.interpreter, threads), part, tell)
-    return _told(done)
+        return run(wanted, output, BatchExecution(executor, execution.interpreter, threads), part, tell)
+
+
+def _check_film(rate: int, outputs: tuple[str, ...]) -> None:
+    if not 1 <= rate <= FASTEST:
+        raise SceneError(f"pictures per second: expected 1 to {FASTEST}, got {rate}; 24 looks smooth")
+    if "png" not in outputs:
+        raise SceneError(f'--video: expected the output "png", got {", ".join(outputs)}; add it to the sweep file')
+
+
+def _film(wanted: "Sweep", done: "Batch", stem: str, rate: int) -> None:
+    """Make films and a contact sheet of the items that did not fail."""
+    from sss_ref.batch.contact_sheet import write_contact_sheet
+    from sss_ref.batch.film import has_encoder, write_films
+    from sss_ref.batch.item_folder import item_folder
+    from sss_ref.batch.plan import Plan
+
+    plan = Plan(wanted)
+    shown = [each for each in done.outcomes if each.state != "failed"]
+    pictures = [item_folder(done.folder, each.name) / "image.png" for each in shown]
+    files = write_films(done.folder, stem, pictures, rate)
+    sheet = done.folder / "contact_sheet.png"
+    write_contact_sheet(sheet, pictures, [", ".join(map(_short, plan[each.item].values())) for each in shown])
+    out.print(escape(", ".join(map(str, (*files, sheet)))))
+    if not has_encoder():
+        err.print("no MP4, which needs the extra: python -m pip install 'sss_ref[video]'", markup=False)
+
+
+def _short(value: object) -> str:
+    """A value as a caption has it."""
+    if isinstance(value, list):
+        return f"[{', '.join(map(_short, value))}]"
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
 def _executor(jobs: int | None, items: int, threads: int | None) -> "tuple[ItemExecutor, int | None]":
