@@ -48,8 +48,7 @@ def codes_of(path: Path, deepest: int = 8) -> Codes:
     except PngFault as fault:
         raise SceneError(str(fault)) from None
     except Exception as error:  # whatever a broken picture makes Pillow raise
-        reason = f"one that cannot be read ({type(error).__name__}: {error})".splitlines()[0]
-        raise SceneError(f"expected a PNG or JPEG picture, got {reason}; export it again") from None
+        raise SceneError(f"expected a PNG or JPEG picture, got {_reason(error)}; export it again") from None
 
 
 def texture_size(path: Path) -> tuple[int, int]:
@@ -93,6 +92,17 @@ def _decoded(code: int) -> float:
         c / mp.mpf("12.92") if c <= mp.mpf("0.04045") else ((c + mp.mpf("0.055")) / mp.mpf("1.055")) ** mp.mpf("2.4")
     )
     return float(mp.fadd(linear, 0, prec=24))  # to the precision of float32 in one step, not by way of float64
+
+
+def _reason(error: Exception) -> str:
+    """Why Pillow gives no texels, in words of our own."""
+    from PIL import Image, UnidentifiedImageError
+
+    if isinstance(error, UnidentifiedImageError):
+        return "another kind of file"
+    if isinstance(error, Image.DecompressionBombError):
+        return f"one of more than {2 * (Image.MAX_IMAGE_PIXELS or 0)} texels"
+    return "one that is broken or breaks off"
 
 
 def _check(image: Any, deep: bool, deepest: int) -> None:

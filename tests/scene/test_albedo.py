@@ -83,4 +83,4 @@ def test_texture_on_a_mesh_without_uvs(small, textured, tmp_path):
 def test_texture_that_is_no_picture(textured, tmp_path):
     (tmp_path / "a.png").write_bytes(b"text")
     found = refusal(textured, **{"mesh.texture": str(tmp_path / "a.png")})
-    assert found.startswith("scene: mesh.texture: expected a PNG or JPEG picture, got one that cannot be read (")
+    assert found == "scene: mesh.texture: expected a PNG or JPEG picture, got another kind of file; export it again"
