@@ -12,7 +12,10 @@ import numpy as np
 
 from sss_ref.raster.primitives import Primitives
 
+NUMBERS_OR_NOT = np.errstate(all="ignore")  # a varying that is not finite stops the stage that reads it (A6)
 
+
+@NUMBERS_OR_NOT
 def weights_arrays(
     primitives: Primitives, piece: np.ndarray, column: np.ndarray, row: np.ndarray, step: int
 ) -> np.ndarray:
@@ -31,6 +34,7 @@ def weights_arrays(
     return weights
 
 
+@NUMBERS_OR_NOT
 def interpolate_arrays(
     primitives: Primitives, piece: np.ndarray, column: np.ndarray, row: np.ndarray, step: int
 ) -> np.ndarray:

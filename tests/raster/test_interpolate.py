@@ -51,3 +51,9 @@ def test_edge_functions_beyond_24_bits_are_rounded_once():
     where = np.array([[0], [4000], [7000]])
     assert weights_arrays(primitives, *where, viewport.step)[0] == np.float32(exact)
     assert weights_compiled(primitives, *where, viewport.step)[0] == np.float32(exact)
+
+
+@pytest.mark.filterwarnings("error")
+def test_what_is_too_large_for_float32_is_no_number_and_no_warning():
+    primitives = one_triangle((0, 1, 2), attributes=((3e38,), (3e38,), (-3e38,)))
+    assert not np.isfinite(interpolate_arrays(primitives, *np.array([[0], [1], [0]]), VIEWPORT.step)).all()
