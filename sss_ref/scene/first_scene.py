@@ -13,7 +13,7 @@ from sss_ref.mesh.likely_size import LONGEST_MM, LikelySize, three_digits
 from sss_ref.mesh.mesh_file import load_mesh
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.numerics.trigonometry import tangent
-from sss_ref.scene_file.shipped import find_mesh
+from sss_ref.scene_file.shipped import find_mesh, mesh_names
 from sss_ref.view.light_fit import Bounds
 from sss_ref.view.matrices import look_at, outward, transformed
 from sss_ref.view.views import UP
@@ -21,6 +21,7 @@ from sss_ref.view.views import UP
 AZIMUTH, ELEVATION, FOV_Y = 25.0, 5.0, 30.0  # degrees: a portrait
 AROUND = 1.12  # room around the mesh, as a factor on half of its height or width in the picture
 SIZE, SCALE = 2.0, 0.1  # units: the longest side of the bust, and the factor on T that was chosen on it
+SMALLEST, LARGEST = 1e-12, 1e12  # units: the longest side of a mesh that a first scene is written for
 EXPONENT = 0.75  # of the thickness in T
 
 TEXT = """\
@@ -88,7 +89,7 @@ def write_first_scene(mesh: str, target: Path, replace: bool) -> None:
         raise SceneError(told(str(target), "a file name that ends in .toml", target.suffix or "none", "add it"))
     if target.exists() and not replace:
         raise _already_there(target)
-    loaded = load_mesh(find_mesh(mesh, Path()) or Path(mesh))
+    loaded = load_mesh(_file_of(mesh))
     text = first_scene(loaded, _path_from(target.parent, mesh))
     try:
         with target.open("w" if replace else "x", encoding="utf-8", newline="\n") as file:
@@ -100,8 +101,11 @@ def write_first_scene(mesh: str, target: Path, replace: bool) -> None:
 
 
 def first_scene(mesh: Mesh, path: str) -> str:
-    """The text of a scene file that shows `mesh`, which it finds at `path`."""
-    size, bounds = LikelySize.of(mesh), Bounds.around(mesh.positions.astype(np.float64))
+    """The text of a scene file that shows `mesh`, which it finds at `path`.
+
+    Raises SceneError for a mesh so small or large that float32 has no room for the squares of its lengths.
+    """
+    size, bounds = _drawable(mesh), Bounds.around(mesh.positions.astype(np.float64))
     distance = _distance(mesh.positions - bounds.centre)
     return TEXT.format(
         name=_quoted(mesh.name),
@@ -121,6 +125,25 @@ def first_scene(mesh: Mesh, path: str) -> str:
         near=three_digits((distance - bounds.radius) / 2),
         far=three_digits(2 * (distance + bounds.radius)),
     )
+
+
+def _file_of(mesh: str) -> Path:
+    """The file of a mesh, of which only a name without a suffix can be meant for a shipped one."""
+    path = find_mesh(mesh, Path())
+    if path is None and not Path(mesh).suffix and not os.path.exists(mesh):
+        shipped = ", ".join(mesh_names())
+        raise SceneError(
+            told(mesh or '""', "a mesh file or a shipped mesh's name", "neither", f"choose one ({shipped})")
+        )
+    return path or Path(mesh)
+
+
+def _drawable(mesh: Mesh) -> LikelySize:
+    size = LikelySize.of(mesh)
+    if not SMALLEST <= size.longest <= LARGEST:
+        expected = f"a mesh whose longest side is {SMALLEST:g} to {LARGEST:g} units"
+        raise SceneError(told(mesh.name, expected, f"{size.longest:.3g}", "export it in another unit"))
+    return size
 
 
 def _distance(points: NDArray[np.float64]) -> float:

@@ -88,3 +88,32 @@ def test_a_file_that_cannot_be_written(tmp_path):
     (tmp_path / "folder.toml").mkdir()
     with pytest.raises(SceneError, match=r"folder\.toml: expected a file to write, got Is a directory; choose another"):
         write_first_scene("tetrahedron", tmp_path / "folder.toml", replace=True)
+
+
+@pytest.mark.parametrize("name", ["tetrahedrn", ""])
+def test_a_name_that_is_no_file_and_not_shipped(tmp_path, name):
+    with pytest.raises(SceneError) as error:
+        write_first_scene(name, tmp_path / "a.toml", replace=False)
+    expected = "expected a mesh file or a shipped mesh's name, got neither; choose one (tetrahedron)"
+    assert str(error.value) == f"{name or chr(34) * 2}: {expected}"
+    assert not (tmp_path / "a.toml").exists()
+
+
+@pytest.mark.parametrize("unit", [2e-12, 5e11])
+def test_a_mesh_of_a_size_that_can_just_be_drawn(tmp_path, unit):
+    positions, triangles = cube()
+    body = written(tmp_path / "body.obj", positions / np.ptp(positions) * unit, triangles)
+    light, _ = picture(first(tmp_path, body))
+    assert 0.15 < np.median(light) < 1
+
+
+@pytest.mark.parametrize(("unit", "side"), [(1e-30, "1e-30"), (1e30, "1e\\+30")])
+def test_a_mesh_of_no_usual_size(tmp_path, unit, side):
+    positions, triangles = cube()
+    body = written(tmp_path / "body.obj", positions / np.ptp(positions) * unit, triangles)
+    problem = (
+        rf"body\.obj: expected a mesh whose longest side is 1e-12 to 1e\+12 units, got {side}; export it in another"
+    )
+    with pytest.raises(SceneError, match=problem):
+        write_first_scene(str(body), tmp_path / "a.toml", replace=False)
+    assert not (tmp_path / "a.toml").exists()
