@@ -18,6 +18,7 @@ NEAR_ENOUGH = 1000  # bounding-sphere radii: from there rays across the mesh are
 
 def surprises(settings: SceneFile, surface: PlacedMesh, camera: View, lights: tuple[Light, ...]) -> Iterator[str]:
     """One line for each surprise, under the key of the scene file that it is about. settings: with every key filled."""
+    yield from _of_unit(settings)
     yield from (f"mesh: {note}" for note in surface.mesh.notes)
     yield from (f"mesh: {line}" for line in _of_mesh(settings, surface))
     yield from (f"camera: {line}" for line in _of_camera(settings, surface, camera))
@@ -31,6 +32,18 @@ def surprises_inside(surface: PlacedMesh, inner: PlacedMesh) -> Iterator[str]:
     corners = inner.points.min(axis=0), inner.points.max(axis=0)
     if not all(map(surface.bounds.holds, corners)):
         yield "layers[0]: it reaches out of the mesh, and beside that is not seen; give one that lies inside"
+
+
+def _of_unit(settings: SceneFile) -> Iterator[str]:
+    """Lengths in mm in a scene that does not say how long its unit is."""
+    in_mm = {
+        'blur.unit = "mm"': settings.blur.unit == "mm",
+        'translucency.form = "gaussians"': settings.translucency.form == "gaussians",
+        "layers": bool(settings.layers),
+    }
+    asking = [key for key, asks in in_mm.items() if asks]
+    if asking and "mm_per_unit" not in settings.model_fields_set:
+        yield f"mm_per_unit: it is not given, so for {' and '.join(asking)} a unit is 1 mm; set mm_per_unit"
 
 
 def _of_mesh(settings: SceneFile, surface: PlacedMesh) -> Iterator[str]:

@@ -180,3 +180,19 @@ def test_shadow_map_that_looks_away(folder):
         "lights[0]: of its shadow map: the mesh is 0.019 of its 32 x 32 pixels wide; set lights.0.fov_y = 93.3"
         in warned({**scene, "lights": [wide]})
     )
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "asking"),
+    [
+        ("blur.unit", "mm", 'blur.unit = "mm"'),
+        ("translucency.form", "gaussians", 'translucency.form = "gaussians"'),
+        ("layers", [{"path": "tetrahedron", "extinction_per_mm": [1, 1, 1]}], "layers"),
+    ],
+)
+def test_millimetres_without_a_unit(ball, key, value, asking):
+    scene = seen_from(ball, [0, 0, 4], [3, 3, 3], preset="robust")
+    expected = f"mm_per_unit: it is not given, so for {asking} a unit is 1 mm; set mm_per_unit"
+    assert load_scene(scene, **{key: value}).warnings[0] == expected
+    assert not any("mm_per_unit" in line for line in load_scene(scene, **{key: value, "mm_per_unit": 1.0}).warnings)
+    assert load_scene(scene).warnings == ()
