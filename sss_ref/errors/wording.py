@@ -35,7 +35,11 @@ CHOICES: tuple[KeyPath, ...] = (
     ("lights", ANY),
     ("mesh", "color"),
     ("blur", "kernel"),
-    *(("translucency", key) for key in ("x", "y", "exponent", "scale", "d_min", "gaussians")),
+    *(
+        (*table, key)
+        for table in (("translucency",), ("layers", ANY, "translucency"))
+        for key in ("x", "y", "exponent", "scale", "d_min", "gaussians")
+    ),
 )
 
 

@@ -4,7 +4,7 @@ What every preset has in common (map sizes, Phong terms, bias) is the default of
 here is only what tells the presets apart.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from sss_ref.errors.wording import KeyPath, shown, told, written
@@ -87,7 +87,7 @@ def misfits(data: Mapping[str, Any]) -> Iterator[tuple[KeyPath, str]]:
         value = _at(data, path)
         if name == "published" and value != fixed:
             yield path, _misfit(path, "nothing" if fixed is None else shown(fixed), value)
-        elif name != "published" and key in ONLY_PUBLISHED and value == fixed:
+        elif name != "published" and key in ONLY_PUBLISHED and fixed in _each(value):
             yield path, told(key, 'another value without preset "published"', shown(value), "choose one, or the preset")
     if name == "published":
         yield from _misfit_lights(data.get("lights"))
@@ -95,6 +95,11 @@ def misfits(data: Mapping[str, Any]) -> Iterator[tuple[KeyPath, str]]:
             yield ("layers",), _misfit(("layers",), "none", "some")
         if _at(data, ("camera", "type")) == "orthographic":
             yield ("camera", "type"), _misfit(("camera", "type"), "a perspective", "orthographic")
+
+
+def _each(value: Any) -> Sequence[Any]:
+    """The numbers of a key that takes one or three."""
+    return value if isinstance(value, list | tuple) else (value,)
 
 
 def _misfit_lights(lights: Any) -> Iterator[tuple[KeyPath, str]]:

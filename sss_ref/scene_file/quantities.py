@@ -24,6 +24,17 @@ def requiring(holds: Callable[[Any], bool], expected: str, remedy: str = "choose
     return AfterValidator(validate)
 
 
+def counting(least: int, most: int, expected: str, remedy: str) -> AfterValidator:
+    """A validator of an array by its length, which is what it says came: the elements may be tables, filled by now."""
+
+    def validate(value: Any) -> Any:
+        if not least <= len(value) <= most:
+            raise unmet(expected, remedy, str(len(value)))
+        return value
+
+    return AfterValidator(validate)
+
+
 def _three_times(value: Any) -> Any:
     """A single number, and not a bool, stands for the same number on every axis."""
     return (value,) * 3 if isinstance(value, int | float) and not isinstance(value, bool) else value

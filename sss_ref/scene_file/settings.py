@@ -25,17 +25,15 @@ from sss_ref.scene_file.quantities import (
     Stops,
     Table,
     Vector,
-    requiring,
+    counting,
 )
 from sss_ref.scene_file.scattering import Blur, TranslucencySettings
 from sss_ref.scene_file.shipped import find_mesh, mesh_names
 from sss_ref.scene_file.viewpoints import Camera, LightSettings
 
 MOST_LIGHTS = 64
-LAYERS = requiring(lambda layers: len(layers) <= 1, "at most one layer", "remove the others")
-LIGHTS = requiring(
-    lambda lights: 1 <= len(lights) <= MOST_LIGHTS, f"1 to {MOST_LIGHTS} lights", "add or remove [[lights]]"
-)
+LAYERS = counting(0, 1, "at most one layer", "remove the others")
+LIGHTS = counting(1, MOST_LIGHTS, f"1 to {MOST_LIGHTS} lights", "add or remove [[lights]]")
 MeshColor = Annotated[
     Annotated[Literal["material"], Tag("name")] | Annotated[Color, Tag("rgb")],
     Discriminator(lambda value: "name" if isinstance(value, str) else "rgb"),
@@ -233,7 +231,8 @@ class SceneFile(Table):
     @classmethod
     def _on_the_picture(cls, layers: tuple[LayerSettings, ...], info: ValidationInfo) -> tuple[LayerSettings, ...]:
         if layers and info.data.get("method") == "texture_space":
-            raise unmet('no layers with method = "texture_space"', 'remove them or set method = "screen_space"')
+            remedy = 'remove them or set method = "screen_space"'
+            raise unmet('no layers with method = "texture_space"', remedy, str(len(layers)))
         return layers
 
     @field_validator("output")  # the last table, so that all others are known

@@ -142,7 +142,8 @@ class LightTable(Table):
         given = [key for key in ORBIT if info.data.get(key) is not None]
         if position is not None and given:
             raise unmet(f"no position beside {given[0]}", "remove one of the two")
-        if position is None and not ({"azimuth", "elevation"} & set(given)):
+        wrong = any(key not in info.data for key in ORBIT)  # which is told of that key
+        if position is None and not wrong and not ({"azimuth", "elevation"} & set(given)):
             raise unmet("a value", "add it, or azimuth, elevation and distance", "nothing")
         return position
 

@@ -59,7 +59,8 @@ def fitted(light: AnyLight, bounds: Bounds, aspect: float) -> AnyLight:
     filled = {"near": q - k if flat else max(q - k, q / 1000), "far": q + k}
     if light.opening is None:
         filled[key] = (view_height if flat else field_of_view)(to_centre, ahead, k, aspect)
-    return _checked(light.model_copy(update={**filled, **light.model_dump(exclude_none=True)}))
+    remedy = "move it closer" if light.near is None and light.far is None else "give both or neither"
+    return _checked(light.model_copy(update={**filled, **light.model_dump(exclude_none=True)}), remedy)
 
 
 def placed(light: AnyLight, bounds: Bounds) -> AnyLight:
@@ -116,9 +117,7 @@ def _norm(v: Vector) -> Any:
     return mp.sqrt(sum(mp.mpf(x) ** 2 for x in v.tolist()))
 
 
-def _checked(light: AnyLight) -> AnyLight:
+def _checked(light: AnyLight, remedy: str) -> AnyLight:
     if light.near >= light.far:  # type: ignore[operator]
-        raise SceneError(
-            f"expected near < far, got near {light.near:g} and far {light.far:g} after fitting; give both or neither"
-        )
+        raise SceneError(f"expected near < far, got near {light.near:g} and far {light.far:g} after fitting; {remedy}")
     return light

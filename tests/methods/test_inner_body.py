@@ -138,11 +138,14 @@ def test_a_stage_of_ones_own_runs_for_both_bodies(scene):
 @pytest.mark.parametrize(
     ("changes", "problem"),
     [
-        ({"method": "texture_space"}, 'layers: expected no layers with method = "texture_space", got'),
+        ({"method": "texture_space"}, 'layers: expected no layers with method = "texture_space", got 1; remove'),
         ({"preset": "published"}, 'layers: expected none with preset "published", got'),
         ({"layers.0.path": "nowhere"}, "layers[0].path: expected a mesh file or a shipped mesh's name, got"),
         ({"layers.0.extinction_per_mm": [0.1, -1, 0]}, "layers[0].extinction_per_mm[1]: expected a number >= 0"),
         ({"layers.0.scale": 2}, "layers[0].scale"),
+        ({"layers.0.translucency.x": [1, 2]}, "override: layers[0].translucency.x[2]: expected a value, got nothing"),
+        ({"layers.0.translucency.x": "a"}, "override: layers[0].translucency.x: expected a number"),
+        ({"layers.0.translucency.gaussians": [[1]]}, "layers[0].translucency.gaussians[0][1]: expected a value"),
     ],
 )
 def test_what_a_layer_cannot_be(scene, changes, problem):
@@ -153,7 +156,7 @@ def test_what_a_layer_cannot_be(scene, changes, problem):
 
 def test_one_layer_only(scene):
     data = scene()
-    with pytest.raises(SceneError, match="layers: expected at most one layer"):
+    with pytest.raises(SceneError, match="layers: expected at most one layer, got 2; remove the others"):
         load_scene({**data, "layers": data["layers"] * 2})
 
 

@@ -102,6 +102,8 @@ def test_near_beyond_the_fitted_far():
     with pytest.raises(SceneError) as error:
         fitted(PointLight(position=(0, 0, 11), near=13), BOUNDS, 1.0)
     assert str(error.value) == "expected near < far, got near 13 and far 12.1 after fitting; give both or neither"
+    with pytest.raises(SceneError, match=r"after fitting; move it closer"):
+        fitted(PointLight(position=(0, 0, 1e30)), BOUNDS, 1.0)
     with pytest.raises(SceneError, match=r"expected near < far, got near 12.1 and far 12.1 "):
         fitted(PointLight(position=(0, 0, 11), near=10 + K), BOUNDS, 1.0)
 
