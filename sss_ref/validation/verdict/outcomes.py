@@ -10,7 +10,7 @@ from sss_ref.validation.accept.rebased import Check
 
 OUTCOMES = ("certain", "ambiguous", "fail", "undefined", "unbounded")
 """In reach; in reach where a processor may take one of several texels or sides; out of reach; not finite where that may
-be, as after a division by 0 or a NaN in what was read; in reach because every number is."""
+be, as after a division by 0 or a NaN in what was read; in reach because every number is that the buffer holds."""
 CERTAIN, AMBIGUOUS, FAIL, UNDEFINED, UNBOUNDED = range(len(OUTCOMES))
 NOT_COMPARED = 255
 
@@ -42,12 +42,21 @@ def compared(check: Check) -> Compared:
     outcome = np.full(len(got), CERTAIN, np.uint8)
     if check.undecided is not None:
         outcome[check.undecided[check.where]] = AMBIGUOUS
-    outcome[in_any_channel(unbounded)] = UNBOUNDED
+    outcome[in_any_channel(unbounded) | _holds_all(expected, reach)] = UNBOUNDED
     outcome[in_any_channel(undefined)] = UNDEFINED
     differs = in_any_channel(bits(expected) != bits(got))
     beyond = ~(distance(expected[differs], got[differs]) <= reach[differs]) & ~undefined[differs]
     outcome[np.flatnonzero(differs)[in_any_channel(beyond)]] = FAIL
     return Compared(expected, got, reach, differs, outcome)
+
+
+def _holds_all(expected: np.ndarray, reach: np.ndarray) -> np.ndarray:
+    """Bool (N,): the pixels whose intervals hold 0 and every number of the buffer, in all channels: no test of it."""
+    if expected.dtype.kind != "f" or not reach.any():
+        return np.zeros(len(expected), bool)
+    numbers = np.where(np.isfinite(expected), expected, 0).astype(np.float64)
+    least, most = (end(numbers, axis=0, initial=0.0) for end in (np.min, np.max))
+    return ~in_any_channel((numbers - reach > least) | (numbers + reach < most)) & (most > least).any()
 
 
 def distance(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -54,3 +54,15 @@ def test_the_map_is_of_all_pixels():
     where = np.array([[True, False], [False, True]])
     check = check_of([[1, 1], [1, 1]], [[1, 2], [1, 2]], np.zeros((2, 2)), np.zeros((2, 2), bool), where)
     assert outcome_map(check).tolist() == [[CERTAIN, NOT_COMPARED], [NOT_COMPARED, FAIL]]
+
+
+def test_an_interval_that_holds_all_that_the_buffer_holds_says_nothing():
+    """0 counts as well; of several channels each must."""
+    expected, reach = np.array([[0.5, 2.0, 1.0, 1.0]]), np.array([[1.5, 2.0, 1.0, 0.5]])
+    check = check_of(expected, expected, reach, np.zeros((1, 4), bool), np.ones((1, 4), bool))
+    assert compared(check).outcome.tolist() == [UNBOUNDED, UNBOUNDED, UNBOUNDED, CERTAIN]
+    beyond = check_of(expected, expected + 9, reach, np.zeros((1, 4), bool), np.ones((1, 4), bool))
+    assert set(compared(beyond).outcome.tolist()) == {FAIL}
+    colours, wide = np.array([[[1.0, 0, 2], [2.0, 0, 1]]]), np.array([[[1.0, 0, 0.5], [2.0, 0, 1]]])
+    found = compared(check_of(colours, colours, wide, np.zeros((1, 2), bool), np.ones((1, 2), bool)))
+    assert found.outcome.tolist() == [CERTAIN, UNBOUNDED]

@@ -5,6 +5,8 @@ from dataclasses import replace
 import pytest
 from scenes import around, two_slabs, written
 
+from sss_ref.interpret.intervals.profile import PROFILES
+from sss_ref.numerics.bounded import Bounded
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.stage_by_stage import validate
@@ -42,3 +44,19 @@ def test_pixels_of_which_nothing_can_be_said_are_not_judged(oracle):
     verdict = report.verdicts[-1]
     assert verdict.decided == 1
     assert replace(verdict, unbounded=verdict.compared // 2).decided == pytest.approx(0.5, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("relative", "told"),
+    [
+        (0.003, "pass as far as was judged, 82% of the pixels of scattered: "),
+        (0.02, "empty: no pixel that can be judged"),
+    ],
+)
+def test_a_picture_alone_of_which_any_number_may_be_right_does_not_pass(oracle, relative, told):
+    """A fragment shader so coarse that at some pixels, or all, the whole way to the picture bounds nothing."""
+    coarse = replace(PROFILES["vulkan"], arithmetic=Bounded(relative=relative), vertex_arithmetic=Bounded())
+    alone = {"scattered": oracle["scattered"]}
+    found = validate(oracle, alone, profile=coarse, explain=False)
+    assert found.summary.startswith(told) and found.passed is (relative < 0.01)
+    assert validate(oracle, alone, explain=False).passed
