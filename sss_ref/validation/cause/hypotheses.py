@@ -6,7 +6,6 @@ draw, what its triangles may have come to (culling, depth test, half a pixel, fe
 """
 
 from collections.abc import Iterator, Mapping
-from contextlib import suppress
 from dataclasses import dataclass
 from itertools import chain
 from typing import Any
@@ -23,7 +22,7 @@ from sss_ref.validation.accept.known import stacked
 from sss_ref.validation.accept.rebased import RASTERIZER, Check
 from sss_ref.validation.cause.beside import backgrounds
 from sss_ref.validation.cause.mishaps import SAME_DEPTH, mishaps
-from sss_ref.validation.cause.misreadings import MISREADINGS
+from sss_ref.validation.cause.misreadings import misread
 from sss_ref.validation.cause.mutants import Mutant, mutants
 from sss_ref.validation.cause.on_the_way import changes_on_the_way, within
 from sss_ref.validation.cause.other_numbers import lengthened, other_numbers
@@ -138,13 +137,8 @@ def _other_buffers(sample: Sample, case: Case) -> Tried:
 
 def _misreadings(sample: Sample) -> Tried:
     """The ways in which such a stage is often misread."""
-
-    def right(given: Mapping[str, Any]) -> Any:
-        return sample.stage(*(given[own] for own in sample.stage.parameters))
-
-    for each in (each for each in MISREADINGS if each.output == sample.own_name):
-        with np.errstate(all="ignore"), suppress(KeyError, IndexError):
-            yield each.text, sample.fit(stacked(each.compute(right, sample.given)))
+    for text, value in misread(sample.stage, sample.own_name, sample.given):
+        yield text, sample.fit(stacked(value))
 
 
 def _other_stages(sample: Sample, others: Mapping[str, Stage]) -> Tried:

@@ -1,12 +1,14 @@
 """How stages are often misread: whole stages done otherwise, each in the words that a report says of it."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from sss_ref.language import Array, Texture, dot, ivec2, length, max, nearest_texel, normalize, pow, select, size, texel
+from sss_ref.language.stage import Stage
 from sss_ref.language.types import vec2, vec3
 from sss_ref.passes import phong
 
@@ -217,3 +219,17 @@ MISREADINGS = (
         )
     ),
 )
+
+
+def misread(stage: Stage, output: str, given: Given) -> Iterator[tuple[str, Any]]:
+    """What a stage gives for one of its outputs if it is misread: in words, and the value.
+
+    given: parameter -> value. Left out is what needs other inputs than the stage has.
+    """
+
+    def right(given: Given) -> Any:
+        return stage(*(given[own] for own in stage.parameters))
+
+    for each in (each for each in MISREADINGS if each.output == output):
+        with np.errstate(all="ignore"), suppress(KeyError, IndexError):
+            yield each.text, each.compute(right, given)

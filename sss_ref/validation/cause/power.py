@@ -17,6 +17,7 @@ from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import stacked
 from sss_ref.validation.accept.walk import StageRun, walk
+from sss_ref.validation.cause.misreadings import misread
 from sss_ref.validation.cause.mutants import Mutant, mutants
 from sss_ref.validation.cause.other_numbers import NEVER_WRONG
 from sss_ref.validation.verdict.outcomes import distance
@@ -46,13 +47,17 @@ class Sensitivity:
 
 @dataclass(frozen=True)
 class Power:
-    """One stage. mistakes: how many of the mutants tried change a bit. seen, unseen: which of these are."""
+    """One stage. mistakes: how many of the mistakes tried change a bit. seen, unseen: which of these are.
+
+    hidden: ways in which such a stage is often misread that change nothing here: another picture would show them.
+    """
 
     stage: str
     numbers: tuple[Sensitivity, ...]
     mistakes: int
     seen: int
     unseen: tuple[str, ...]
+    hidden: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         """As a line."""
@@ -72,7 +77,7 @@ class Trial:
 
     def sees(self, written: Mapping[str, Any]) -> bool:
         """Whether any of this, buffer -> value, is out of reach."""
-        return any(self._outside(name, written[name]) for name in self.expected)
+        return any(self._outside(name, written[name]) for name in self.expected if name in written)
 
     def _outside(self, name: str, value: Any) -> bool:
         return bool((~(distance(stacked(value), self.expected[name]) <= self.reach[name])).any())
@@ -82,6 +87,7 @@ class Trial:
         return any(
             not np.array_equal(np.broadcast_to(stacked(written[name]), base.shape), base, equal_nan=True)
             for name, base in self.expected.items()
+            if name in written
         )
 
 
@@ -102,7 +108,8 @@ def power(case: Case, judged: Mapping[str, np.ndarray]) -> Iterator[Power]:
 def _trials(drawn: DrawnPass, own: Sequence[str], where: np.ndarray) -> Iterator[Trial]:
     """Every stage of a pass that writes one of these buffers, on a sample of the pixels of a mask, bool (H, W)."""
     pixels = np.argwhere(where)
-    chosen = pixels[np.random.default_rng(0).integers(0, len(pixels), min(SAMPLE, len(pixels)))]
+    some = pixels[np.random.default_rng(0).integers(0, len(pixels), min(SAMPLE, len(pixels)))]
+    chosen = np.concatenate([some, _outermost(pixels)])
     for run in walk(drawn, (chosen[:, 0], chosen[:, 1])):
         expected, reach = {}, {}
         for name in (name for name in run.written if name in own):
@@ -113,17 +120,28 @@ def _trials(drawn: DrawnPass, own: Sequence[str], where: np.ndarray) -> Iterator
             yield Trial(run, expected, reach)
 
 
+def _outermost(pixels: np.ndarray) -> np.ndarray:
+    """Of pixels (N, 2) those in their first and last row and column: there a stage reads beyond a picture's edge."""
+    return pixels[((pixels == pixels.min(axis=0)) | (pixels == pixels.max(axis=0))).any(axis=1)]
+
+
 def _power_of(trial: Trial) -> Power:
-    """Both tries of one stage."""
+    """All tries of one stage."""
+    stage, misreadings = trial.run.stage, list(_as_misread(trial))
+    mutated = ((each.description, _with_mistake(each, trial.run.inputs)) for each in _some(list(mutants(stage))))
+    tried = [(text, written) for text, written in (*mutated, *misreadings) if written and trial.changes(written)]
+    unseen = tuple(text for text, written in tried if not trial.sees(written))
+    hidden = tuple(text for text, written in misreadings if not trial.changes(written))
+    return Power(stage.name, tuple(_numbers(trial)), len(tried), len(tried) - len(unseen), unseen, hidden)
+
+
+def _as_misread(trial: Trial) -> Iterator[tuple[str, dict[str, Any]]]:
+    """What the stage writes as it is often misread: in words, and buffer -> value."""
     stage = trial.run.stage
-    changing, unseen = 0, []
-    for mutant in _some(list(mutants(stage))):
-        mistaken = _with_mistake(mutant, trial.run.inputs)
-        if mistaken is not None and trial.changes(mistaken):
-            changing += 1
-            if not trial.sees(mistaken):
-                unseen.append(mutant.description)
-    return Power(stage.name, tuple(_numbers(trial)), changing, changing - len(unseen), tuple(unseen))
+    given = dict(zip(stage.parameters, trial.run.inputs, strict=True))
+    for own, name in stage.writes.items():
+        if name in trial.expected:
+            yield from ((text, {name: value}) for text, value in misread(stage, own, given))
 
 
 def _some(all_mutants: list[Mutant]) -> list[Mutant]:

@@ -143,7 +143,9 @@ class Report:
         unseen = "; ".join(f"{each.stage}: {text}" for each in self.power for text in each.unseen)
         missed = f"; not: {unseen}" if unseen else ""
         lines = [str(each) for each in self.power if each.numbers]
-        return [*lines, f"of {tried} mistakes in one place of these stages {seen} would be seen{missed}"]
+        hidden = "; ".join(f"{each.stage}: {text}" for each in self.power for text in each.hidden)
+        blind = [f"no difference here, another view or scene would show it: {hidden}"] if hidden else []
+        return [*lines, f"of {tried} mistakes in these stages {seen} would be seen{missed}", *blind]
 
 
 def _or_before(wrong: Verdict) -> str:

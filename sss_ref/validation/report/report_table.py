@@ -89,5 +89,6 @@ def _power_row(power: Power) -> str:
         for each in power.numbers
     )
     unseen = "".join(f"<div>not: <code>{escape(text)}</code></div>" for text in power.unseen)
+    unseen += "".join(f"<div>no difference here: {escape(text)}</div>" for text in power.hidden)
     seen = f"{power.seen} of {power.mistakes}" if power.mistakes else "·"
     return f"<tr><td>{escape(power.stage)}</td><td>{numbers}</td><td>{seen}{unseen}</td></tr>"
