@@ -79,8 +79,15 @@ class Visible:
             results[draw.depth] = self._any(same & within) | (empty & (dumped[draw.depth] == np.float32(FAR)))
         if draw.coverage in dumped:
             drawn = dumped[draw.coverage] != 0
-            results[draw.coverage] = np.where(drawn, self.covered != MUST_NOT, self.covered != MUST)
+            possible = np.where(drawn, self.covered != MUST_NOT, self.covered != MUST)
+            results[draw.coverage] = possible & self._is_beside(draw.triangle, dumped, drawn)
         return results
+
+    def _is_beside(self, triangle: str, dumped: Buffers, drawn: np.ndarray) -> np.ndarray:
+        """Bool (H, W): whether a coverage says what the triangle beside it does, where a pixel may be either."""
+        if triangle not in dumped:
+            return np.ones(drawn.shape, bool)
+        return (self.covered != MAY) | (drawn == (dumped[triangle] >= 0))
 
     def _depth_reach(self, expected: np.ndarray) -> np.ndarray:
         """How far from the oracle's depths those of the triangle that it shows may be."""

@@ -113,6 +113,22 @@ def test_what_lies_behind_is_not_seen_but_beside_an_edge(draws):
     assert shown_at(found, 3, 3) == {0, 1, 2} and found.covered[3, 3] == MUST
 
 
+def test_a_coverage_is_that_of_the_triangle_beside_it(draws):
+    """On a rim either is right, but not one in one buffer and the other in the other."""
+    draw = draws[0]
+    found = seen(draw, SQUARE, [(0, 1, 2)])
+    triangle = np.where(found.covered == MUST, 0, -1).astype(np.int32)
+    on_rim = found.covered == MAY
+    for at_rim in (-1, 0):
+        triangle[on_rim] = at_rim
+        right = {draw.triangle: triangle, draw.coverage: (triangle >= 0).astype(np.uint8)}
+        assert all(holds.all() for holds in found.accepted(right, None).values())
+        other = right | {draw.coverage: np.where(on_rim, at_rim < 0, right[draw.coverage]).astype(np.uint8)}
+        assert np.array_equal(~found.accepted(other, None)[draw.coverage], on_rim) and on_rim.any()
+        alone = {draw.coverage: other[draw.coverage]}
+        assert found.accepted(alone, None)[draw.coverage].all()
+
+
 def test_two_as_deep_as_each_other_may_both_be_seen(draws):
     near = [(x, y, 0.5 + 2.0**-24) for x, y, _ in SQUARE]
     assert shown_at(seen(draws[0], SQUARE[:3] + near[:3], [(0, 1, 2), (3, 4, 5)]), 4, 2) == {0, 1}
