@@ -62,6 +62,9 @@ distance = {distance}
 color = [1.0, 0.45, 0.28]
 intensity = 0.7
 
+[shadow_map]
+test = "kernel"                         # soft shadows, red at their edges
+
 [phong]
 ambient = 0.04
 specular = 0.3

@@ -48,9 +48,11 @@ def test_the_picture_is_neither_dark_nor_clipped(tmp_path):
     assert np.percentile(light, 2) > 0.03
 
 
-def test_light_from_behind_goes_round(tmp_path):
+def test_light_from_behind_goes_round_and_shadows_are_soft(tmp_path):
     """Where light and shade meet there is no dark line; T falls off as steeply as its scale was chosen for."""
-    translucency = first(tmp_path, BUST).settings.translucency
+    settings = first(tmp_path, BUST).settings
+    translucency = settings.translucency
+    assert settings.shadow_map.test == "kernel"
     assert translucency.combine == "transmit_wrapped"
     assert translucency.scale == pytest.approx(0.1, rel=0.02)  # the bust is two units high
 
