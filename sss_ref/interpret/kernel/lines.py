@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 INDENT = "    "
+FIRST = "_first"  # added to the name of a texel's number: that of the first fragment
 
 
 @dataclass(frozen=True)
@@ -43,13 +44,17 @@ Value = list[Scalar] | Memory
 
 @dataclass(frozen=True)
 class Line:
-    """An assignment, or a loop inside the loop over fragments that assigns several names; kinds: those of the names."""
+    """An assignment, or a loop inside the loop over fragments that assigns several names; kinds: those of the names.
+
+    along: of the number of a texel or of its components, the text where the fragments' texels lie side by side.
+    """
 
     kinds: dict[str, type]
     text: tuple[str, ...]
     uses: frozenset[str]
     uniform: bool
     part: int
+    along: str = ""
 
 
 @dataclass(frozen=True)
@@ -117,16 +122,26 @@ class StageLines:
         self.shared = shared
         self.items: list[Item] = []
 
-    def bind(self, name: str, value: Scalar) -> Scalar:
-        """Give an expression a name."""
+    def bind(self, name: str, value: Scalar, along: str = "") -> Scalar:
+        """Give an expression a name, {0} in `along`, which is the expression where texels lie side by side."""
         variable = self.shared.fresh(name)
+        beside = f"{variable} = {along.format(variable)}" if along else ""
         text = (f"{variable} = {value.text}",)
-        self.items.append(Line({variable: value.kind}, text, value.uses, value.uniform, value.part))
+        self.items.append(Line({variable: value.kind}, text, value.uses, value.uniform, value.part, beside))
         return replace(value, text=variable, atomic=True, uses=frozenset({variable}))
 
     def atom(self, name: str, value: Scalar) -> Scalar:
         """The expression itself if it is a name or a literal, else a name for it."""
         return value if value.atomic else self.bind(name, value)
+
+    def place(self, name: str, template: str, *parts: Scalar) -> Scalar:
+        """Give the place of a component of a texel a name; where texels lie side by side it has 64 bits."""
+        value = self.join(f"np.int32({template})", int, *parts)
+        return self.bind(name, value, template.format(*(part.text for part in parts)))
+
+    def texel(self, name: str, value: Scalar) -> Scalar:
+        """Give the number of a texel a name; where texels lie side by side it is counted on from that of the first."""
+        return self.bind(name, value, f"{{0}}{FIRST} + k")
 
     def literal(self, value: float | int | bool) -> Scalar:
         """A literal; numbers become constants of the module, since bare ones compute in 64 bits."""

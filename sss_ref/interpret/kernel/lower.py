@@ -167,9 +167,9 @@ class Lowering:
         fetch = FETCH[scalar_kind(kind)]
         if count == 1:
             return [self.lines.join(fetch, scalar_kind(kind), memory.address, index)]
-        width, steps = self.lines.literal(count), [self.lines.literal(k) for k in range(count)]
-        first = self.lines.atom(self.prefix + "place", self.lines.join("np.int32({0} * {1})", int, index, width))
-        places = [self.lines.join("np.int32({0} + {1})", int, first, step) for step in steps]
+        width, name = self.lines.literal(count), self.prefix + "place"
+        places = [self.lines.place(name, "{0} * {1}", index, width)]
+        places += [self.lines.place(name, "{0} + {1}", places[0], self.lines.literal(k)) for k in range(1, count)]
         return [self.lines.join(fetch, scalar_kind(kind), memory.address, place) for place in places]
 
     def call(self, expression: tree.Call) -> list[Scalar]:
@@ -214,7 +214,7 @@ class Lowering:
         assert isinstance(at, list)
         column, row = at
         index = self.lines.join("np.int32(np.int32({0} * {1}) + {2})", int, row, memory.size[0], column)
-        return self.load(memory, self.lines.atom(self.prefix + "texel", index))
+        return self.load(memory, self.lines.texel(self.prefix + "texel", index))
 
 
 def wrapped(template: str, kind: type) -> str:

@@ -10,6 +10,7 @@ from sss_ref.interpret.kernel.row_function import call
 from sss_ref.language.layout import FLOAT32
 
 STRIP = 512  # fragments at a time: the rows of a pass stay in the processor's second cache
+ENOUGH = 128  # fragments: a strip of so many ends with its row of pixels, so that its texels lie side by side
 INDEX, COLUMN, ROW, EMPTY = range(4)  # rows that are filled before any call: of fragments, and of pixels without one
 
 
@@ -111,6 +112,9 @@ def run_rows(where, first_row, filling, clearing, scratch):
                 if empty == STRIP:
                     run(clearing, scratch, empty)
                     empty = 0
+        if count >= ENOUGH:
+            run(filling, scratch, count)
+            count = 0
     run(filling, scratch, count)
     run(clearing, scratch, empty)
 

@@ -1,8 +1,9 @@
 """Writes the module of a stage: its parts and its loops, each a function of the rows of a strip."""
 
 from collections.abc import Collection, Iterable
+from dataclasses import replace
 
-from sss_ref.interpret.kernel.lines import INDENT, Accumulator, Line, RowCall, RowLoop
+from sss_ref.interpret.kernel.lines import FIRST, INDENT, Accumulator, Line, RowCall, RowLoop
 from sss_ref.interpret.kernel.stage_rows import READ, StageCall, StageRows
 from sss_ref.language.stage import Stage
 
@@ -166,7 +167,29 @@ class RowFunction:
         self.loop([*self.reads(needed), *(self.written(each.row, each.before.text) for each in sums)])
 
     def turn(self, lines: list[Line], sums: tuple[Accumulator, ...]) -> None:
-        """The loop over the fragments in one turn."""
+        """The loop over the fragments in one turn; twice where texels may lie side by side."""
+        first = {name: f"{name}{FIRST}" for line in lines if line.along.endswith(" + k") for name in line.kinds}
+        if not first:
+            self.one_turn(lines, sums)
+            return
+        to_texels = leading_to(lines, set(first))
+        body = [*self.reads(uses(to_texels)), *(text for line in to_texels for text in line.text)]
+        indent = INDENT * self.depth
+        self.body += [indent + text for text in ("k = 0", *body)]
+        self.body += [f"{indent}{start} = np.int64({name})" for name, start in first.items()]
+        self.body.append(f"{indent}apart = np.int64(0)")
+        self.loop([*body, *(f"apart |= np.int64({name}) ^ ({start} + k)" for name, start in first.items())])
+        self.body.append(f"{indent}if apart == 0:")
+        self.depth += 1
+        self.one_turn([replace(line, text=(line.along,)) if line.along else line for line in lines], sums)
+        self.depth -= 1
+        self.body.append(f"{indent}else:")
+        self.depth += 1
+        self.one_turn(lines, sums)
+        self.depth -= 1
+
+    def one_turn(self, lines: list[Line], sums: tuple[Accumulator, ...]) -> None:
+        """The loop itself."""
         own = {name for line in lines for name in line.kinds} | {each.inside for each in sums}
         needed = uses(lines).union(*(each.after.uses for each in sums)) - own
         taken = [f"{each.inside} = {self.reread(each.row)}" for each in sums]
@@ -182,6 +205,16 @@ class RowFunction:
 def uses(lines: Iterable[Line]) -> frozenset[str]:
     """The names that some lines mention."""
     return frozenset().union(*(line.uses for line in lines))
+
+
+def leading_to(lines: list[Line], names: set[str]) -> list[Line]:
+    """Those of some lines that the values of some names come from."""
+    wanted, found = set(names), list[Line]()
+    for line in reversed(lines):
+        if wanted & line.kinds.keys():
+            found.insert(0, line)
+            wanted |= line.uses
+    return found
 
 
 def is_single(call: RowCall | RowLoop) -> bool:

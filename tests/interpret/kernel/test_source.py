@@ -74,9 +74,17 @@ def test_an_elementary_function_of_uniforms_alone_is_computed_once_a_strip():
 
 def test_a_loop_of_the_language_stands_around_the_loop_over_fragments():
     source = StageSource(blur.scatter, {"tap_count", "pixel_scale"})
-    first, turns, second = (line for line in source.text.splitlines() if line.lstrip().startswith("for "))
-    assert first == "    for k in range(count):" and second == "        for k in range(count):"
-    assert turns.startswith("    for tap_wide in range(")
+    start, turns, *inside = (line for line in source.text.splitlines() if line.lstrip().startswith("for "))
+    assert start == "    for k in range(count):" and turns.startswith("    for tap_wide in range(")
+    assert [line.strip() for line in inside] == ["for k in range(count):"] * 3
+
+
+def test_a_turn_is_written_twice_where_texels_may_lie_side_by_side():
+    """Once with each texel's number computed, once with it counted on from that of the first fragment."""
+    _, beside = StageSource(blur.scatter, {"tap_count", "pixel_scale"}).text.split("if apart == 0:")
+    counted, computed = beside.split("else:")
+    assert counted.count("_first + k\n") == 4 and "_first" not in computed
+    assert "np.int32(texel_clamped_place + I_1)" in computed and "= texel_clamped_place + I_1\n" in counted
 
 
 def test_a_loop_whose_turns_differ_between_fragments_stands_inside():

@@ -37,6 +37,7 @@ from sss_ref.language import (
 )
 from sss_ref.language.layout import CHANNELS, dtype_of, shape_of
 from sss_ref.language.pipeline import Pass, ScreenDraw
+from sss_ref.passes import blur
 
 F = np.float32
 SIZES = [(1, 1), (1, 7), (7, 5), (STRIP, 1), (STRIP + 1, 2), (33, 31), (97, 61)]
@@ -169,5 +170,36 @@ def test_beside_the_stencil_stands_the_background(share):
         outputs = {name: np.full(shape_of(kind, 97, 61), 9, dtype_of(kind)) for name, kind in kinds}
         fragments = Fragments(97, 61, stencil=stencil)
         interpreter.run_fragments(Work(one, fragments, given.uniforms, given.buffers, outputs, backgrounds), None)
+        found.append(outputs)
+    assert_same_bits(*found)
+
+
+TEXELS_BESIDE = {  # stencil of a row of 700 pixels
+    "whole rows": np.ones(700, bool),
+    "a run in the middle": (np.arange(700) > 100) & (np.arange(700) < 600),
+    "one hole": np.arange(700) != 350,
+    "every other": np.arange(700) % 2 == 0,
+    "fewer than end a strip": np.arange(700) < 127,
+}
+
+
+@pytest.mark.parametrize("holes", TEXELS_BESIDE)
+@pytest.mark.parametrize("shift", [(0.0, 0.0), (0.25, -1.5), (-40.5, 2.0), (900.0, 0.5), (0.0, 3.0e8)])
+@pytest.mark.parametrize("name", ["scatter", "scatter_inside"])
+def test_texels_that_lie_side_by_side_are_the_same_texels(name, shift, holes):
+    """Whether a strip is one run of a row, and whether its texels are, clamped at the edges or not."""
+    rng = np.random.default_rng(2)
+    lit, coverage = rng.random((5, 700, 3)).astype(F), rng.integers(0, 2, (5, 700)).astype(np.uint8)
+    taps = {"tap_offset": np.array([shift, (0.0, 0.0), (1.5, 1.0)], F), "tap_weight": rng.random((3, 3)).astype(F)}
+    uniforms = {**taps, "tap_count": 3, "pixel_scale": F(1)}
+    one = Pass("one", "", ScreenDraw("stencil"), (getattr(blur, name),))
+    stencil = np.tile(TEXELS_BESIDE[holes], (5, 1)).astype(np.uint8)
+    found = []
+    for interpreter in (strips, arrays):
+        outputs = {"scattered": np.zeros((5, 700, 3), F)}
+        buffers = {"lit": lit, "coverage": coverage}
+        backgrounds = {"scattered": np.zeros(3, F)}
+        work = Work(one, Fragments(700, 5, stencil=stencil), uniforms, buffers, outputs, backgrounds)
+        interpreter.run_fragments(work, None)
         found.append(outputs)
     assert_same_bits(*found)
