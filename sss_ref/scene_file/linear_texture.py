@@ -31,8 +31,10 @@ def _array(path: Path) -> FloatArray:
         texels: FloatArray = np.load(path, mmap_mode="r", allow_pickle=False)
     except Exception:  # whatever a broken file makes NumPy raise
         raise SceneError(f"expected {expected}, got one that cannot be read; {remedy}") from None
-    if getattr(texels, "dtype", None) != np.float32 or texels.shape[2:] != (3,) or not texels.size:
-        raise SceneError(f"expected {expected}, got {getattr(texels, 'dtype', 'an archive')}; {remedy}")
+    if not isinstance(texels, np.ndarray):
+        raise SceneError(f"expected {expected}, got an archive; {remedy}")
+    if texels.dtype != np.float32 or texels.shape[2:] != (3,) or not texels.size:
+        raise SceneError(f"expected {expected}, got {texels.dtype} {texels.shape}; {remedy}")
     if not ((texels >= 0) & (texels <= 1)).all():
         raise SceneError(f"expected {expected}, got other numbers; {remedy}")
     return np.array(texels)

@@ -64,9 +64,9 @@ def test_an_array_is_taken_as_it_is(tmp_path):
 @pytest.mark.parametrize(
     ("array", "came"),
     [
-        (np.zeros((4, 5, 3)), "float64"),
-        (np.zeros((4, 5), np.float32), "float32"),
-        (np.zeros((0, 5, 3), np.float32), "float32"),
+        (np.zeros((4, 5, 3)), "float64 (4, 5, 3)"),
+        (np.zeros((4, 5), np.float32), "float32 (4, 5)"),
+        (np.zeros((0, 5, 3), np.float32), "float32 (0, 5, 3)"),
         (np.full((4, 5, 3), 1.5, np.float32), "other numbers"),
         (np.full((4, 5, 3), np.nan, np.float32), "other numbers"),
     ],
