@@ -21,6 +21,7 @@ class StageCode:
     def __init__(self, stage: Stage, uniform: frozenset[str]) -> None:
         source = StageSource(stage, uniform)
         module = imported(source.text, stage.name)
+        self.body = stage.body
         rows = source.rows
         self.inputs, self.outputs, self.others = rows.inputs, rows.outputs, len(rows.rows) - rows.inputs - rows.outputs
         self.calls: list[tuple[int, StageCall]] = [(_address(module, call), call) for call in source.calls]
@@ -41,15 +42,17 @@ def address_of(function: Callable[..., None]) -> int:
     return address
 
 
-CODES: dict[Any, StageCode] = {}
+CODES: dict[Any, list[StageCode]] = {}  # of each signature, those of different bodies
 
 
 def code_of(stage: Stage, uniform: frozenset[str]) -> StageCode:
     """A stage compiled, once for all passes and lights; uniform: those of its parameters that are uniforms."""
-    key = stage.python, stage.name, *stage.parameters.items(), *stage.outputs.items(), uniform
-    if key not in CODES:
-        CODES[key] = StageCode(stage, uniform)
-    return CODES[key]
+    signature = stage.name, *stage.parameters.items(), *stage.outputs.items(), uniform
+    codes = CODES.setdefault(signature, [])
+    same = [code for code in codes if code.body is stage.body] or [code for code in codes if code.body == stage.body]
+    if not same:
+        codes.append(StageCode(stage, uniform))
+    return same[0] if same else codes[-1]
 
 
 @cache

@@ -1,5 +1,6 @@
 """Everything that the language has, on strips: the bits of the array interpreter at any size, on any part of it."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -203,3 +204,23 @@ def test_texels_that_lie_side_by_side_are_the_same_texels(name, shift, holes):
         interpreter.run_fragments(work, None)
         found.append(outputs)
     assert_same_bits(*found)
+
+
+class Sum(NamedTuple):
+    """What two stages of one name and signature write."""
+
+    total: float
+
+
+def test_a_stage_with_the_body_of_another_is_compiled_anew():
+    @stage(source="a test")
+    def added(a: float, b: float) -> Sum:
+        return Sum(a + b)
+
+    @stage(source="a test")
+    def wrong(a: float, b: float) -> Sum:
+        return Sum(a - b)
+
+    inputs = Inputs(3, 2, {"a": np.full((2, 3), F(5)), "b": np.full((2, 3), F(3))}, {})
+    for own, total in ((added, 8), (replace(added, body=wrong.body), 2), (added, 8)):
+        np.testing.assert_array_equal(run(strips, own, inputs)["total"], np.full((2, 3), F(total)))
