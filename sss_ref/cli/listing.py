@@ -1,7 +1,6 @@
 """`sss-ref scenes` and `info`: what there is to render."""
 
 from dataclasses import asdict
-from pathlib import Path
 from typing import Annotated
 
 from cyclopts import Parameter
@@ -32,9 +31,9 @@ def info(
     """Say what is in a mesh: its size, whether it is closed, and whether its UVs can hold an irradiance map."""
     from sss_ref.cli.mesh_facts import mesh_facts
     from sss_ref.mesh.mesh_file import load_mesh
-    from sss_ref.scene_file.shipped import find_mesh
+    from sss_ref.scene_file.shipped import given_mesh
 
-    facts = mesh_facts(load_mesh(find_mesh(mesh, Path()) or Path(mesh)))
+    facts = mesh_facts(load_mesh(given_mesh(mesh)))
     if as_json:
         out.print_json(data=asdict(facts))
         return 0

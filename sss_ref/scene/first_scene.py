@@ -13,7 +13,7 @@ from sss_ref.mesh.likely_size import LONGEST_MM, LikelySize, three_digits
 from sss_ref.mesh.mesh_file import load_mesh
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.numerics.trigonometry import tangent
-from sss_ref.scene_file.shipped import find_mesh, mesh_names
+from sss_ref.scene_file.shipped import given_mesh
 from sss_ref.view.light_fit import Bounds
 from sss_ref.view.matrices import look_at, outward, transformed
 from sss_ref.view.views import UP
@@ -92,7 +92,7 @@ def write_first_scene(mesh: str, target: Path, replace: bool) -> None:
         raise SceneError(told(str(target), "a file name that ends in .toml", target.suffix or "none", "add it"))
     if target.exists() and not replace:
         raise _already_there(target)
-    loaded = load_mesh(_file_of(mesh))
+    loaded = load_mesh(given_mesh(mesh))
     text = first_scene(loaded, _path_from(target.parent, mesh))
     try:
         with target.open("w" if replace else "x", encoding="utf-8", newline="\n") as file:
@@ -128,17 +128,6 @@ def first_scene(mesh: Mesh, path: str) -> str:
         near=three_digits((distance - bounds.radius) / 2),
         far=three_digits(2 * (distance + bounds.radius)),
     )
-
-
-def _file_of(mesh: str) -> Path:
-    """The file of a mesh, of which only a name without a suffix can be meant for a shipped one."""
-    path = find_mesh(mesh, Path())
-    if path is None and not Path(mesh).suffix and not os.path.exists(mesh):
-        shipped = ", ".join(mesh_names())
-        raise SceneError(
-            told(mesh or '""', "a mesh file or a shipped mesh's name", "neither", f"choose one ({shipped})")
-        )
-    return path or Path(mesh)
 
 
 def _drawable(mesh: Mesh) -> LikelySize:

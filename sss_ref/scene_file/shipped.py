@@ -4,6 +4,7 @@ import os
 from pathlib import Path
 
 from sss_ref.errors import SceneError
+from sss_ref.errors.wording import told
 
 PACKAGE = Path(__file__).parents[1]
 MESH_SUFFIXES = (".obj", ".ply", ".stl", ".off", ".glb", ".gltf")
@@ -48,6 +49,18 @@ def find_mesh(path: str, folder: Path) -> Path | None:
     if any(map(os.path.isfile, (folder / path, folder / path / "mesh.json"))):  # unlike Path.is_file it takes any text
         return folder / path
     return _shipped_mesh(path)
+
+
+def given_mesh(name: str) -> Path:
+    """The file of the mesh that a command is given: one there, or else a shipped one.
+
+    Raises SceneError for a name without suffix that is neither; what else cannot be read its reader will say.
+    """
+    path = find_mesh(name, Path())
+    if path is None and not Path(name).suffix and not os.path.exists(name):
+        remedy = f"choose one ({', '.join(mesh_names())})"
+        raise SceneError(told(name or '""', "a mesh file or a shipped mesh's name", "neither", remedy))
+    return path or Path(name)
 
 
 def _shipped_mesh(name: str) -> Path | None:

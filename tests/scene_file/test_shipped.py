@@ -1,3 +1,5 @@
+from pathlib import Path
+
 import pytest
 
 from sss_ref.errors import SceneError
@@ -30,3 +32,15 @@ def test_a_file_beside_the_scene_comes_before_a_shipped_mesh(tmp_path, data_fold
     (tmp_path / "other.obj").write_text("")
     assert shipped.find_mesh("other.obj", tmp_path) == tmp_path / "other.obj"
     assert shipped.find_mesh("x" * 5000, tmp_path) is None and shipped.find_mesh("a\0b", tmp_path) is None
+
+
+def test_a_mesh_given_to_a_command(tmp_path, data_folder, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert shipped.given_mesh("tetrahedron") == data_folder / "meshes" / "tetrahedron.obj"
+    for left_to_the_reader in ("none.obj", "."):
+        assert shipped.given_mesh(left_to_the_reader) == Path(left_to_the_reader)
+    for name in ("tetrahedrn", "x" * 5000, "a\0b"):
+        with pytest.raises(SceneError) as error:
+            shipped.given_mesh(name)
+        expected = "expected a mesh file or a shipped mesh's name, got neither; choose one (tetrahedron)"
+        assert str(error.value) == f"{name}: {expected}"
