@@ -13,14 +13,14 @@ import sss_ref
 from sss_ref.pictures.png_file import srgb8
 
 FAULTS = {
-    "exponent .601 for .6": ("figure3_with", {"translucency.exponent": 0.601}),
+    "exponent .751 for .75": ("figure3_with", {"translucency.exponent": 0.751}),
     "shininess 33 for 32": ("figure3_with", {"phong.shininess": 33.0}),
-    "T scaled by .201 for .2": ("figure3_with", {"translucency.scale": 0.201}),
+    "T scaled by .101 for .1": ("figure3_with", {"translucency.scale": 0.101}),
     "shadow map read bilinear for nearest": ("figure3_with", {"shadow_map.filter": "bilinear"}),
     "slope bias 1.4 for 1.5": ("figure3_with", {"shadow_map.bias_slope": 1.4}),
     "lookup 0.1 % off the centre": ("figure3_with", {"shadow_map.lookup_inset": 0.999}),
     "kernel with the green of the paper's table": ("figure3_with", {"blur.kernel": "schoenberger"}),
-    "taps 1 % too far out": ("figure3_with", {"blur.pixel_scale": 2.02}),
+    "taps 1 % too far out": ("figure3_with", {"blur.mm_per_offset": 1.212}),
     "ambient 3 % too bright": ("figure3_with", {"phong.ambient": 0.103}),
     "camera a thousandth of a degree off": ("figure3_with", {"camera.azimuth": 16.001}),
     "irradiance map not dilated": ("figure5", {"irradiance_map.dilate": 0}),

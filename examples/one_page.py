@@ -162,24 +162,34 @@ def render(scene):
     to_light, to_eye = normalize(light_position - position_world), normalize(camera_position - position_world)
     facing = dot(normal_world, to_light)
 
-    # Shadow lookup: where the light's ray to the fragment meets the body for the first time.
-    clip = transform(light_clip_from_world, position_world)
-    shadow_uv = ((clip[:, :2] / clip[:, 3:]) * settings.shadow_map.lookup_inset + 1) * 0.5
-    on_map = (clip[:, 3:] > 0) & (shadow_uv >= 0) & (shadow_uv <= 1)
-    shadow_uv = np.where(on_map.all(axis=1)[:, None], shadow_uv, np.float32(-1))
-    column, row = np.floor(shadow_uv * np.float32(light_triangle.shape[::-1])).astype(int).T
-    shadow_valid = (shadow_uv[:, 0] >= 0) & (texel(light_triangle, column, row) != NO_SURFACE)
-    distance = length(position_world - light_position)
-    stored_distance = np.where(shadow_valid, texel(light_distance, column, row), distance)
+    # Shadow lookup: where the light's ray to a point meets the body for the first time.
+    def looked_up(position_world):
+        clip = transform(light_clip_from_world, position_world)
+        shadow_uv = ((clip[:, :2] / clip[:, 3:]) * settings.shadow_map.lookup_inset + 1) * 0.5
+        on_map = (clip[:, 3:] > 0) & (shadow_uv >= 0) & (shadow_uv <= 1)
+        shadow_uv = np.where(on_map.all(axis=1)[:, None], shadow_uv, np.float32(-1))
+        column, row = np.floor(shadow_uv * np.float32(light_triangle.shape[::-1])).astype(int).T
+        shadow_valid = (shadow_uv[:, 0] >= 0) & (texel(light_triangle, column, row) != NO_SURFACE)
+        distance = length(position_world - light_position)
+        stored_distance = np.where(shadow_valid, texel(light_distance, column, row), distance)
+        return shadow_uv, shadow_valid, stored_distance
 
-    # Thickness: go from the light towards the fragment by the stored distance; the rest lies inside the body.
-    entry_point = light_position + normalize(position_world - light_position) * stored_distance[:, None]
-    entry_point = np.where(shadow_valid[:, None], entry_point, position_world)
-    thickness = length(position_world - entry_point)
+    shadow_uv, shadow_valid, stored_distance = looked_up(position_world)
+    distance = length(position_world - light_position)
+    texel_width = at_least(0, transform(light_clip_from_world, position_world)[:, 3]) * light.view.pixel_size
+
+    # Thickness: go from the light towards the fragment by the stored distance; the rest lies inside the body. Preset
+    # robust asks for the thickness of a point below the surface.
+    wraps = settings.translucency.combine == "transmit_wrapped"
+    inside_point = position_world - normal_world * (settings.shadow_map.lookup_depth * texel_width)[:, None]
+    point = inside_point if wraps else position_world
+    point_uv, point_valid, point_distance = looked_up(point)
+    entry_point = light_position + normalize(point - light_position) * point_distance[:, None]
+    entry_point = np.where(point_valid[:, None], entry_point, point)
+    thickness = length(point - entry_point)
 
     # Directly lit: no further behind the stored point than a texel of the map explains, the surface being tilted.
     cosine = np.clip(np.abs(facing), 0.05, 1)
-    texel_width = np.maximum(clip[:, 3], 0) * light.view.pixel_size
     slope = texel_width * (1 + np.sqrt(1 - cosine * cosine) / cosine)
     bias = settings.shadow_map.bias_abs + settings.shadow_map.bias_slope * slope
     directly_lit = (facing > 0) & (distance - stored_distance <= bias)
@@ -195,15 +205,17 @@ def render(scene):
     phong_color = reflected * albedo
 
     # Translucency: T = x^y / d^0.6 of the light comes through where the body stands in its way.
-    skin, transmits = settings.translucency, settings.translucency.combine == "transmit"
+    skin = settings.translucency
     x, y, exponent = np.float32([skin.x, skin.y, skin.exponent])
     term = np.minimum(pow(x, y) / pow(at_least(skin.d_min, thickness), exponent), LARGEST_HALF)
-    translucency = np.where(directly_lit | (shadow_uv[:, 0] < 0), np.float32(0 if transmits else 1), term)
-    if transmits:  # preset robust: the light that enters from behind is added
+    if wraps:  # preset robust: the light that enters from behind is added, and goes round the terminator
+        translucency = np.where(point_uv[:, 0] < 0, np.float32(0), term)
         reflected = np.where(directly_lit[:, None], phong_color, phong.ambient * albedo)
-        from_behind = (translucency * skin.scale) * at_least(0, -facing)
+        wrap = np.float32(skin.wrap)
+        from_behind = (translucency * skin.scale) * (at_least(0, wrap - facing) / (1 + wrap))
         lit = reflected + (albedo * light_color) * from_behind[:, None]
     else:  # preset paper, its two cases
+        translucency = np.where(directly_lit | (shadow_uv[:, 0] < 0), np.float32(1), term)
         lit = np.where(directly_lit[:, None], phong_color, phong_color * translucency[:, None])
 
     # Blur: light that scatters below the surface leaves beside where it entered. A tap beside the model counts in
@@ -227,10 +239,16 @@ def render(scene):
         "thickness": thickness, "directly_lit": directly_lit.astype(np.uint8), "incident_light": incident_light,
         "phong": phong_color, "translucency": translucency,
     }  # fmt: skip
-    return {name: filled(coverage, values) for name, values in fragments.items()} | {
+    below = {
+        "inside_point": inside_point, "inside_shadow_uv": point_uv, "inside_shadow_valid": point_valid.astype(np.uint8),
+        "inside_stored_distance": point_distance,
+    }  # fmt: skip
+    background = dict.fromkeys(("shadow_uv", "inside_shadow_uv"), -1)
+    fragments |= {"shadow_uv": shadow_uv} | (below if wraps else {})
+    return {name: filled(coverage, values, background.get(name, 0)) for name, values in fragments.items()} | {
         "light_triangle": light_triangle, "light_depth": light_depth, "light_distance": light_distance,
         "triangle": triangle, "depth": depth, "coverage": coverage.astype(np.uint8),
-        "shadow_uv": filled(coverage, shadow_uv, -1), "lit": lit, "scattered": scattered, "image": image,
+        "lit": lit, "scattered": scattered, "image": image,
     }  # fmt: skip
 
 

@@ -56,7 +56,7 @@ figures.ways_through_a_disk(light, way.entry_point, fragment)
 # instead of a surface, so there is an error, of about the size of its texels.
 
 # %%
-result = sss_ref.render(small_scenes.load("sphere"))
+result = sss_ref.render(small_scenes.load("sphere", **small_scenes.BY_THE_TEXT))
 through = (result["shadow_valid"] != 0) & (result["directly_lit"] == 0)
 position = result["position_world"]
 along = position - result.scene.lights[0].position
@@ -118,7 +118,7 @@ behind = {"lights.0.position": [1.9, 1.2, -2.2]}
 _, axes = figures.row(3, height=3.1, width=3.2)
 for panel, (name, (y, d_min)) in zip(axes, materials.items(), strict=True):
     keys = {"translucency.y": y, "translucency.d_min": d_min, **behind}
-    result = sss_ref.render(small_scenes.load("figure3_with", HEAD, **keys))
+    result = sss_ref.render(small_scenes.load("figure3_with", HEAD, **small_scenes.BY_THE_TEXT, **keys))
     figures.picture(panel, result.image, f"{name}: y = {y:g}")
 
 # %% [markdown]
@@ -168,7 +168,7 @@ def material(x, y, exponent, azimuth):
     turn = np.radians(azimuth)
     light = [float(2.9 * np.sin(turn)), 1.2, float(2.9 * np.cos(turn))]
     keys = {"translucency.x": x, "translucency.y": y, "translucency.exponent": exponent}
-    scene = small_scenes.load("figure3_with", HEAD, **keys, **{"lights.0.position": light})
+    scene = small_scenes.load("figure3_with", HEAD, **(small_scenes.BY_THE_TEXT | keys), **{"lights.0.position": light})
     figure, (panel,) = figures.row(1, height=3.8)
     title = f"$T = {x:.2f}^{{{y:.2f}}} / d^{{{exponent:.2f}}}$"
     figures.picture(panel, sss_ref.render(scene, keep="final").image, title)
@@ -206,7 +206,7 @@ for panel, (title, keys) in zip(axes, kinds.items(), strict=True):
 # and goes through the front one. The shadow map only knows the first point.
 
 # %%
-result = sss_ref.render(small_scenes.load("lesson_nonconvex"))
+result = sss_ref.render(small_scenes.load("lesson_nonconvex", **small_scenes.BY_THE_TEXT))
 front = np.isclose(result["position_world"][..., 2], 0.6, atol=1e-3) & (result["coverage"] != 0)
 both = front & np.isclose(result["entry_point"][..., 2], -0.6, atol=1e-2)
 _, axes = figures.row(2, height=3.2, width=3.9)

@@ -60,7 +60,7 @@ for value in np.float32([0.1, 1, 3, 1000]):
 # every lit pixel.
 
 # %%
-result = sss_ref.render(small_scenes.load("figure3_with", HEAD))
+result = sss_ref.render(small_scenes.load("figure3_with", HEAD, **small_scenes.BY_THE_TEXT))
 drawn = result["coverage"] != 0
 N = vec3(*result["normal_world"][drawn].T)
 light = vec3(*np.float32(result.scene.settings.lights[0].position))

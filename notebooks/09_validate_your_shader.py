@@ -36,9 +36,9 @@ SIZE = 256
 # Somebody typed 0.61 for the exponent 0.6 of $x^y / d^{0.6}$. All the "processor" hands over is its buffers.
 
 # %%
-scene = small_scenes.load("figure3_with", HEAD, SIZE)
+scene = small_scenes.load("figure3_with", HEAD, SIZE, **small_scenes.BY_THE_TEXT)
 oracle = sss_ref.render(scene)
-mistyped = small_scenes.load("figure3_with", HEAD, SIZE, **{"translucency.exponent": 0.61})
+mistyped = small_scenes.load("figure3_with", HEAD, SIZE, **(small_scenes.BY_THE_TEXT | {"translucency.exponent": 0.61}))
 dump = dict(sss_ref.render(mistyped).buffers)
 
 

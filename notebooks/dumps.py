@@ -43,4 +43,6 @@ def three_dumps(head: str) -> tuple[sss_ref.Result, dict[str, sss_ref.Result]]:
 
 
 def _scene(head: str, **overrides: float) -> sss_ref.Scene:
-    return small_scenes.load("figure3_with", head, 192, **{"blur.pixel_scale": 2.0, **overrides})
+    return small_scenes.load(
+        "figure3_with", head, 192, **(small_scenes.BY_THE_TEXT | {"blur.pixel_scale": 2.0} | overrides)
+    )

@@ -9,6 +9,11 @@ from sss_ref.scene_file.shipped import find_mesh, mesh_names
 from sss_ref.view.light_fit import Bounds
 
 SHIPPED_HEAD = "bust"
+BY_THE_TEXT = {  # the paper's exponent, and light from behind on the shaded side only; preset robust has it go round
+    "translucency.combine": "transmit",
+    "translucency.exponent": 0.6,
+    "translucency.scale": 0.2,
+}
 
 
 def load(name: str, head: str = "", size: int = 384, **overrides: Any) -> sss_ref.Scene:

@@ -49,15 +49,15 @@ def validation(path: Path) -> None:
     import figures
 
     right = sss_ref.render(scene("figure3_with"))
-    wrong = sss_ref.render(scene("figure3_with", **{"translucency.exponent": 0.601}))
+    wrong = sss_ref.render(scene("figure3_with", **{"translucency.exponent": 0.751}))
     finding = sss_ref.validate(right, dict(wrong.buffers)).finding
     assert finding is not None
     check = finding.check
     apart = np.abs(check.got.astype(np.float64) - check.expected)
     outside = check.where & (apart > check.reach)
     figure, axes = figures.row(3, height=3.0, width=3.1)
-    figures.picture(axes[0], right.image, "exponent 0.6: the reference")
-    figures.picture(axes[1], wrong.image, "exponent 0.601: a shader's mistake")
+    figures.picture(axes[0], right.image, "exponent 0.75: the reference")
+    figures.picture(axes[1], wrong.image, "exponent 0.751: a shader's mistake")
     times = apart / np.maximum(check.reach, 1e-12)
     figures.values(axes[2], times, "translucency, out of reach", "times what is allowed", outside)
     path.write_bytes(figures.png_of(figure))

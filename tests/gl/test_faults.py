@@ -131,16 +131,18 @@ LIGHT = {
     "exponent 0.601": Fault("slabs", "camera/translucency_ratio", {"d_min), exponent)": "d_min), exponent + 0.001)"}),
     "multiply for divide": Fault("slabs", "camera/translucency_ratio", {"pow(x, y) / pow(": "pow(x, y) * pow("}),
     "thickness not held above d_min": Fault(
-        "bust", "camera/translucency_ratio", {"max_(thickness, d_min)": "thickness"}
+        "bust", "camera/translucency_ratio_throughout", {"max_(thickness, d_min)": "thickness"}
     ),
     "translucency in half floats": Fault(
         "slabs",
         "camera/translucency_ratio",
         HALF | {"min_(term, TRANSLUCENCY_MAX)": "unpackHalf2x16(packHalf2x16(vec2(min_(term, TRANSLUCENCY_MAX)))).x"},
     ),
-    "multiply for add": Fault("bust", "camera/lit_transmit", {"lit = reflected + albedo": "lit = reflected * albedo"}),
+    "multiply for add": Fault(
+        "bust", "camera/lit_transmit_wrapped", {"lit = reflected + albedo": "lit = reflected * albedo"}
+    ),
     "bytes between two passes": Fault(
-        "bust", "camera/lit_transmit", {"out_lit = lit;": "out_lit = floor(lit * 255.0 + 0.5) / 255.0;"}
+        "bust", "camera/lit_transmit_wrapped", {"out_lit = lit;": "out_lit = floor(lit * 255.0 + 0.5) / 255.0;"}
     ),
 }
 
@@ -213,7 +215,7 @@ def test_a_stage_of_ones_own_is_drawn_and_judged_like_ours():
     example = Path(__file__).parents[2] / "examples" / "beer_lambert.py"
     scene = run_path(str(example))["scene"]
     changes = {f"{t}.{s}": 64 for t in ("camera", "shadow_map") for s in ("width", "height")}
-    loaded = load_scene("figure3_with", **changes)
+    loaded = load_scene("figure3_with", **changes, **{"translucency.combine": "transmit"})
     small = replace(loaded, own_stages=scene.own_stages, own_uniforms=scene.own_uniforms)
     found = validate(render(small, interpreter="arrays"), draw(small))
     assert found.passed and "transmittance" in {one.buffer for one in found.verdicts}
@@ -249,7 +251,7 @@ def test_on_the_command_line(tmp_path, capsys):
     for path in tmp_path.glob("*.frag"):
         path.write_text(path.read_text().replace("pow(x, y) / pow(", "pow(x, y) * pow("))
     assert main(["validate", "sphere", str(tmp_path), "--run-glsl", *small]) == 1
-    assert "stage translucency_ratio of pass camera is the first that is wrong" in capsys.readouterr().out
+    assert "stage translucency_ratio_throughout of pass camera is the first that is wrong" in capsys.readouterr().out
     (tmp_path / "blurr.frag").write_text("")
     assert main(["validate", "sphere", str(tmp_path), "--run-glsl", *small]) == 2
     assert "expected the name of a pass (shadow_map, camera, blur, composite), got blurr" in capsys.readouterr().err

@@ -25,7 +25,9 @@ FAULTS = {
     "layout in half of the map": Fault(T, "irradiance_map/rasterizer", {"uv * 2.0 - 1.0": "uv"}),
     "v flipped for the light": Fault(T, "shadow_map/uv_at_light", V_FLIPPED, "shadow_map."),
     "v flipped for the camera": Fault(T, "camera/surface", V_FLIPPED, "camera."),
-    "exponent 0.601": Fault(T, "camera/translucency_ratio", {"d_min), exponent)": "d_min), exponent + 0.001)"}),
+    "exponent 0.751": Fault(
+        T, "camera/translucency_ratio_throughout", {"d_min), exponent)": "d_min), exponent + 0.001)"}
+    ),
     "normal as it is": Fault(
         T, "irradiance_map/surface", {"normalize_(fragment_normal)": "fragment_normal * 0.5"}, "irradiance_map"
     ),
@@ -76,13 +78,15 @@ FAULTS = {
     ),
     "mask ignored": Fault(T, "irradiance_blur/scatter_inside", {"texel_clamped_bool(coverage, at) ? 1.0 : 0.0": "1.0"}),
     "border for clamp": Fault(T, "irradiance_blur/scatter_inside", {CLAMPED: BORDERED}, "irradiance_blur"),
-    "light_uv ignored": Fault(T, "camera/irradiance_lookup", {"directly_lit ? uv : shadow_valid ? entered : uv": "uv"}),
-    "no half texel": Fault(T, "camera/irradiance_added", {"map_size.x) - 0.5": "map_size.x)"}),
-    "nearest for linear": Fault(T, "camera/irradiance_added", {"fractional_part(at)": "vec2(0.0, 0.0)"}),
+    "light_uv ignored": Fault(T, "camera/irradiance_lookup_throughout", {"shadow_valid ? entered : uv": "uv"}),
+    "no half texel": Fault(T, "camera/irradiance_added_wrapped", {"map_size.x) - 0.5": "map_size.x)"}),
+    "nearest for linear": Fault(T, "camera/irradiance_added_wrapped", {"fractional_part(at)": "vec2(0.0, 0.0)"}),
     "own irradiance for the entered": Fault(
-        T, "camera/irradiance_added", {"scattered_irradiance, irradiance_uv)": "scattered_irradiance, uv)"}
+        T, "camera/irradiance_added_wrapped", {"scattered_irradiance, irradiance_uv)": "scattered_irradiance, uv)"}
     ),
-    "multiply for add": Fault(T, "camera/irradiance_added", {"irradiance_used = own + ": "irradiance_used = own * "}),
+    "multiply for add": Fault(
+        T, "camera/irradiance_added_wrapped", {"irradiance_used = own + ": "irradiance_used = own * "}
+    ),
     "no ambient light": Fault(T, "camera/image_product", {"(ambient + irradiance_used": "(irradiance_used"}),
     "sRGB write": Fault(T, "camera/image_product", {"out_image = image;": "out_image = pow(image, vec3(0.4545));"}),
     "no root": Fault(

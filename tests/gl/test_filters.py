@@ -69,13 +69,13 @@ def test_a_filter_of_eight_bits_is_right(in_bytes):
 def test_and_wrong_where_the_profile_asks_for_more(in_bytes, tmp_path):
     exact = tmp_path / "exact.toml"
     exact.write_text("filter_bits = 0\n")
-    assert judged(in_bytes, profile=str(exact)).culprit.stage == "irradiance_added"
+    assert judged(in_bytes, profile=str(exact)).culprit.stage == "irradiance_added_wrapped"
 
 
 def test_more_than_two_of_its_steps_are_an_error(in_bytes):
     shown = rendered("texture space")["coverage"] != 0
     off = in_bytes["irradiance_used"] + np.float32(3.5 / 255) * shown[..., np.newaxis]
-    assert judged({**in_bytes, "irradiance_used": off}).culprit.stage == "irradiance_added"
+    assert judged({**in_bytes, "irradiance_used": off}).culprit.stage == "irradiance_added_wrapped"
 
 
 @pytest.fixture

@@ -140,10 +140,10 @@ def test_a_light_whose_map_misses_part_of_the_body(bodies):
     assert (result["translucency"][outside] == 1).all()
 
 
-@pytest.mark.parametrize("preset", ["paper", "robust"])
-def test_on_the_background_of_the_map_translucency_is_that_of_no_thickness(bodies, preset):
+@pytest.mark.parametrize(("preset", "combine"), [("paper", "multiply"), ("robust", "transmit")])
+def test_on_the_background_of_the_map_translucency_is_that_of_no_thickness(bodies, preset, combine):
     """Fragments just behind the terminator, whose nearest texel shows no body: x^y / d_min^.6, and no dark seam."""
-    result = render(load_scene(around(bodies["sphere"]), preset=preset))
+    result = render(load_scene(around(bodies["sphere"]), preset=preset, **{"translucency.combine": combine}))
     on_map = (result["coverage"] == 1) & (result["shadow_uv"][..., 0] >= 0)
     seam = on_map & (result["shadow_valid"] == 0) & (result["directly_lit"] == 0)
     thinnest = on_map & (result["directly_lit"] == 0) & (result["thickness"] <= 0.1)

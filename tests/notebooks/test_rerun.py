@@ -20,7 +20,7 @@ STAGES = [
 
 @pytest.fixture(scope="module")
 def result():
-    return render(small_scenes.load("sphere", size=48), interpreter="arrays")
+    return render(small_scenes.load("sphere", size=48, **small_scenes.BY_THE_TEXT), interpreter="arrays")
 
 
 @pytest.mark.parametrize("stage", STAGES, ids=lambda stage: stage.name)

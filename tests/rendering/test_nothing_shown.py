@@ -22,8 +22,8 @@ def notes(scene, **overrides):
 @pytest.mark.parametrize("name", scene_names())
 def test_shipped_scenes_are_drawn_without_a_word(name):
     tables = ("camera", "shadow_map", "irradiance_map")
-    found = load_scene(name, **{f"{table}.{side}": 32 for table in tables for side in ("width", "height")})
-    assert found.warnings == () and render(found, interpreter="arrays", keep="final").notes == ()
+    found = load_scene(name, **{f"{table}.{side}": 192 for table in tables for side in ("width", "height")})
+    assert found.warnings == () and render(found, keep="final").notes == ()
 
 
 def test_what_is_seen_needs_no_note(scene):

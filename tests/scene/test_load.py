@@ -49,7 +49,7 @@ def test_resolved_settings_load_to_the_same_scene(small):
 def test_overrides(small):
     scene = load_scene(small, preset="robust", **{"camera.width": 256, "lights.0.intensity": 2, "translucency.x": 3})
     assert (scene.camera.width, scene.lights[0].intensity, scene.settings.translucency.x) == (256, 2.0, 3.0)
-    assert scene.settings.translucency.combine == "transmit"
+    assert scene.settings.translucency.combine == "transmit_wrapped"
 
 
 def test_light_inside_and_camera_along_up_are_told_together(small):

@@ -25,8 +25,8 @@ def problems(scene, **overrides):
 
 
 BYTES = {  # per pixel or texel, worked by hand from the list of buffers: those there once, and those of each light
-    "screen_space": {"camera": (89, 58), "shadow_map": (0, 12)},
-    "texture_space": {"camera": (77, 66), "shadow_map": (0, 20), "irradiance_map": (1, 37)},
+    "screen_space": {"camera": (89, 83), "shadow_map": (0, 12)},
+    "texture_space": {"camera": (77, 91), "shadow_map": (0, 20), "irradiance_map": (1, 37)},
 }
 IN_MM = {"screen_space": {"camera": 8}, "texture_space": {"irradiance_map": 29}}  # more where the kernel is in mm
 PHONG_SUM = 12  # several lights have a `phong` each, and one together

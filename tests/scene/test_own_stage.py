@@ -19,6 +19,8 @@ from sss_ref.results.verify import verify
 EXAMPLE = Path(__file__).parents[2] / "examples" / "beer_lambert.py"
 LIGHTS = [{"position": LIGHT}, {"position": [-3.0, 0.5, 1.0], "color": [1.0, 0.5, 0.25]}]
 
+TRANSMIT = {"preset": "robust", "translucency": {"combine": "transmit"}}
+
 
 @pytest.fixture(scope="module")
 def example():
@@ -34,7 +36,7 @@ def body(tmp_path_factory):
 
 
 def own_scene(example, path, **tables):
-    scene = sss_ref.load_scene(around(path, 40, preset="robust", **tables))
+    scene = sss_ref.load_scene(around(path, 40, **TRANSMIT, **tables))
     return sss_ref.with_stage(scene, "lit_transmit", example.lit_absorbed, extinction=(0.5, 1.0, 4.0))
 
 
@@ -111,7 +113,7 @@ def test_what_it_writes_can_be_dumped_and_judged(example, body, tmp_path):
     buffers = {name: one.data for name, one in dump.buffers.items()}
     assert sss_ref.validate(result, buffers).passed
     other = sss_ref.with_stage(
-        sss_ref.load_scene(around(body, 40, preset="robust")),
+        sss_ref.load_scene(around(body, 40, **TRANSMIT)),
         "lit_transmit",
         example.lit_absorbed,
         extinction=(0.5, 1.0, 4.1),
@@ -128,7 +130,7 @@ def no_lit(phong: vec3) -> Irradiance:
 
 
 def test_what_does_not_fit_is_told(example, body):
-    scene = sss_ref.load_scene(around(body, 40, preset="robust"))
+    scene = sss_ref.load_scene(around(body, 40, **TRANSMIT))
     for name, own, message in (
         (
             "lit",

@@ -93,11 +93,11 @@ BY_PRESET = {
     "robust": {
         "translucency": {
             "form": "ratio",
-            "combine": "transmit",
+            "combine": "transmit_wrapped",
             "x": 2.0,
             "y": 0.5,
-            "exponent": 0.6,
-            "scale": 0.2,
+            "exponent": 0.75,
+            "scale": 0.1,
             "d_min": 0.1,
             "gaussians": "skin",
             "wrap": 0.3,

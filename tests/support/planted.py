@@ -445,10 +445,10 @@ PLANTED = [
     Planted(
         "Gaussians in scene units",
         Mistake("camera", uniforms={"mm_per_unit": instead(1)}),
-        "mm_per_unit is 1 instead of 24",
+        "mm_per_unit is 1 instead of 24|`depth = thickness` for",
         "wax",
     ),
-    Planted("exponent .601", vertex("exponent", instead(0.601)), "exponent is 0.601"),
+    Planted("exponent .751", vertex("exponent", instead(0.751)), "exponent is 0.751"),
     Planted("no slope in the bias", camera_pass_stages(directly_lit_slope=literal_test), "bias|directly_lit_literal"),
     Planted(
         "depth for the distance", Mistake("shadow_map", stages={"distance_to_light": depth_along_axis}), "depth along"

@@ -78,9 +78,9 @@ def test_a_wrong_tap_is_the_taps(bodies):
 
 
 FAULTS = {  # what is changed, and where: (method, overrides, stage)
-    "exponent": ("screen_space", {"translucency.exponent": 0.6001}, "translucency_ratio"),
-    "base": ("screen_space", {"translucency.x": 2.001}, "translucency_ratio"),
-    "scale of T": ("screen_space", {"translucency.scale": 0.201}, "lit_transmit"),
+    "exponent": ("screen_space", {"translucency.exponent": 0.7501}, "translucency_ratio_throughout"),
+    "base": ("screen_space", {"translucency.x": 2.001}, "translucency_ratio_throughout"),
+    "scale of T": ("screen_space", {"translucency.scale": 0.1005}, "lit_transmit_wrapped"),
     "shininess": ("screen_space", {"phong.shininess": 33.0}, "phong_shading"),
     "ambient": ("screen_space", {"phong.ambient": 0.101}, "phong_shading"),
     "bias": ("screen_space", {"shadow_map.bias_slope": 0.0}, "directly_lit_slope"),
@@ -96,7 +96,7 @@ FAULTS = {  # what is changed, and where: (method, overrides, stage)
     "mode": ("texture_space", {"irradiance_map.mode": "paper"}, "irradiance_lambert"),
     "dilation": ("texture_space", {"irradiance_map.dilate": 1}, "dilate"),
     "kernel on the map": ("texture_space", {"blur.kernel": "schoenberger"}, "scatter_inside"),
-    "T on the map": ("texture_space", {"translucency.scale": 0.21}, "irradiance_added"),
+    "T on the map": ("texture_space", {"translucency.scale": 0.105}, "irradiance_added_wrapped"),
     "highlight": ("texture_space", {"phong.specular": 0.6}, "phong_shading"),
     "sum": ("texture_space", {"phong.ambient": 0.12}, "phong_shading"),
 }
@@ -115,10 +115,10 @@ def test_the_stage_that_is_wrong_is_named(bodies, fault):
 def test_what_follows_from_an_error_is_not_blamed(bodies):
     """A wrong exponent changes the image as well, but the stages after it did their work."""
     oracle = drawn(scene_of(bodies["slabs"]))
-    wrong = drawn(scene_of(bodies["slabs"], **{"translucency.exponent": 0.7}))
+    wrong = drawn(scene_of(bodies["slabs"], **{"translucency.exponent": 0.85}))
     assert not np.allclose(oracle.image, wrong.image, atol=1e-3)
     found = verdict_on(wrong.buffers, oracle).verdicts
-    assert [v.stage for v in found if not v.passed] == ["translucency_ratio"]
+    assert [v.stage for v in found if not v.passed] == ["translucency_ratio_throughout"]
     assert [v.buffer for v in found if v.inherits] == ["lit", "scattered", "image"]
 
 
@@ -128,8 +128,10 @@ def test_what_is_not_dumped_comes_from_the_oracle(bodies):
     found = verdict_on(some, oracle)
     assert found.passed and [one.buffer for one in found.verdicts] == ["lit", "image"]
     assert "thickness" in found.missing and len(found.missing) == len(oracle.buffers) - 2
-    wrong = drawn(scene_of(bodies["slabs"], **{"translucency.exponent": 0.7}))
-    assert verdict_on({"lit": wrong["lit"]}, oracle).culprit.stage == "lit_transmit"  # the nearest that was dumped
+    wrong = drawn(scene_of(bodies["slabs"], **{"translucency.exponent": 0.85}))
+    assert (
+        verdict_on({"lit": wrong["lit"]}, oracle).culprit.stage == "lit_transmit_wrapped"
+    )  # the nearest that was dumped
 
 
 def test_nan_blank_and_nothing_never_pass(bodies):

@@ -41,10 +41,10 @@ def sensitivity(report, stage, name):
 
 
 NUMBERS = [
-    ("translucency_ratio", "exponent", "translucency.exponent"),
+    ("translucency_ratio_throughout", "exponent", "translucency.exponent"),
     ("phong_shading", "shininess", "phong.shininess"),
     ("phong_shading", "ambient", "phong.ambient"),
-    ("lit_transmit", "translucency_scale", "translucency.scale"),
+    ("lit_transmit_wrapped", "translucency_scale", "translucency.scale"),
     ("scatter_inside", "pixel_scale", "blur.pixel_scale"),
     ("light_constant", "light_intensity", "lights.0.intensity"),
 ]
@@ -80,11 +80,11 @@ def test_it_is_told_of_a_failing_run_too(oracle, report):
 
 def test_a_wider_profile_sees_less(oracle, report):
     wide = {each.stage: each for each in power(case_of(oracle, "mediump"), judged_pixels(oracle))}
-    for one in (each for each in report.power if each.stage in ("phong_shading", "translucency_ratio")):
+    for one in (each for each in report.power if each.stage in ("phong_shading", "translucency_ratio_throughout")):
         for narrow, other in zip(one.numbers, wide[one.stage].numbers, strict=True):
             assert other.change is None or narrow.change is None or other.change >= narrow.change
-    exponent = next(each for each in wide["translucency_ratio"].numbers if each.name == "exponent")
-    assert exponent.change > 100 * sensitivity(report, "translucency_ratio", "exponent").change
+    exponent = next(each for each in wide["translucency_ratio_throughout"].numbers if each.name == "exponent")
+    assert exponent.change > 100 * sensitivity(report, "translucency_ratio_throughout", "exponent").change
 
 
 def case_of(oracle, profile, stored=()):
@@ -111,7 +111,7 @@ def test_mistakes_are_told(report):
     assert any(
         line.startswith(f"of {tried} mistakes in these stages {seen} would be seen") for line in report.sensitivity
     )
-    assert any(line.startswith("translucency_ratio: x ") for line in report.sensitivity)
+    assert any(line.startswith("translucency_ratio_throughout: x ") for line in report.sensitivity)
 
 
 def test_what_cannot_be_seen_is_told(tmp_path):
@@ -122,7 +122,10 @@ def test_what_cannot_be_seen_is_told(tmp_path):
     assert found.change is None and str(found) == "bias_slope not even doubled"
 
 
-def test_of_a_number_that_is_0_the_error_itself_is_told(report):
+def test_of_a_number_that_is_0_the_error_itself_is_told(path):
+    """It is the T of all that is lit, where light from behind does not go round."""
+    oracle = drawn(path, **{"translucency.combine": "transmit"})
+    report = validate(oracle, {"translucency": oracle["translucency"]})
     found = sensitivity(report, "translucency_ratio", "translucency_neutral")
     assert not found.relative and 0 < found.change < 1e-3 and str(found).startswith("translucency_neutral 0 to ")
 

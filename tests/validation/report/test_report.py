@@ -60,7 +60,9 @@ def test_a_wrong_dump_fails_and_is_reported(dump, oracle, tmp_path, capsys):
     assert all(len(one["widths"]) == len(data["width_classes"]) for one in data["buffers"])
     column, row = failed[0]["first"]["at"]
     assert failed[0]["first"]["triangles"] == [int(oracle["triangle"][row, column])]
-    assert failed[0]["clusters"]["sentence"] in page and "translucency_ratio" in [one["stage"] for one in data["power"]]
+    assert failed[0]["clusters"]["sentence"] in page and "translucency_ratio_throughout" in [
+        one["stage"] for one in data["power"]
+    ]
     assert list(data["seconds"]) == ["reading", "rendering", "rebased", "hypotheses", "chained", "power"]
     assert "chained " in printed.split("time: ")[1]
     assert data["profile"] == "vulkan" and data["device"] is None and "device not given" in printed + page

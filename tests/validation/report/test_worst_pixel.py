@@ -15,7 +15,7 @@ from sss_ref.validation.report.report_page import as_html
 F = np.float32
 MISTAKES = {
     "phong": {"phong.shininess": 20.0},
-    "translucency": {"translucency.exponent": 0.601},
+    "translucency": {"translucency.exponent": 0.751},
     "thickness": {"lights": [{"position": [2.0, 1.5, 2.6]}]},
     "scattered": {"blur.pixel_scale": 1.5},
 }
@@ -84,7 +84,7 @@ def test_on_the_page_in_the_terminal_and_as_data(oracle, scene, capsys):
     assert "<th>may be</th>" in page and f"<td class='may-be'>{shown}</td>" in page
     print_report(report)
     printed = capsys.readouterr().out
-    assert "stage translucency_ratio at the worst pixel" in printed and shown in printed
+    assert "stage translucency_ratio_throughout at the worst pixel" in printed and shown in printed
     assert f"translucency, as drawn {report.culprit.worst.got}" in " ".join(printed.split())
     (line,) = (line for line in as_json(report)["worst_lines"] if line["text"] == term)
     assert f"[{line['low']}, {line['high']}]" == shown
