@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from itertools import chain
 from os import PathLike
 from pathlib import Path
 
@@ -183,9 +184,12 @@ def _check_something_is_drawn(oracle: Result, only: np.ndarray | None) -> None:
 
 def _check_stage(oracle: Result, scope: Scope) -> None:
     """Raise SceneError for a stage that none of the passes has."""
-    stages = {RASTERIZER, *(stage.name for each in oracle.scene.method.passes for stage in each.stages)}
+    of_passes = {each.name: [stage.name for stage in each.stages] for each in oracle.scene.method.passes}
+    stages = {RASTERIZER, *chain(*of_passes.values())}
     if scope.stage is not None and scope.stage not in stages:
-        raise SceneError(told("only", "a stage of the method", scope.stage, nearest(scope.stage, stages)))
+        own = of_passes.get(scope.stage)
+        remedy = f"write a stage of this pass: {', '.join(own)}" if own else nearest(scope.stage, stages)
+        raise SceneError(told("only", "a stage of the method", scope.stage, remedy))
 
 
 def _finding(case: Case, check: Check, verdict: Verdict, seconds: float) -> Finding:

@@ -64,6 +64,11 @@ def test_an_unknown_stage_is_refused_with_the_nearest(oracle):
         validate(oracle, oracle.buffers, explain=Scope(stage="scater_inside"))
 
 
+def test_a_pass_is_refused_with_its_stages(oracle):
+    with pytest.raises(SceneError, match=r"^only: expected a stage of the method, got blur; write .*: scatter_inside$"):
+        validate(oracle, oracle.buffers, explain=Scope(stage="blur"))
+
+
 def test_in_haste_the_verdicts_are_the_same_and_there_is_no_power(oracle, wrong, whole):
     found = validate(oracle, wrong, explain=QUICK)
     assert found.verdicts == whole.verdicts and whole.power and not found.power
