@@ -24,10 +24,21 @@ def test_a_phase_that_comes_twice_is_added_up(monkeypatch):
 
 def test_what_would_begin_too_late_is_counted(monkeypatch):
     ticking(monkeypatch)
-    limit = Limit(3)
+    limit = Limit(6)
     assert list(limit.within("letters", "abcde")) == ["a", "b"]
     assert list(limit.within("numbers", range(2))) == []
-    assert limit.told == "not tried within 3 s: 3 letters, 2 numbers"
+    assert limit.told == "not tried within 6 s: 3 letters, 2 numbers"
+
+
+def test_what_would_end_too_late_is_not_begun(monkeypatch):
+    now = 0.0
+    monkeypatch.setattr(clock.time, "perf_counter", lambda: now)
+    limit, made = Limit(10), []
+    for letter, seconds in limit.within("letters", zip("abcde", (1, 4, 2, 1, 1), strict=True)):
+        made.append(letter)
+        now += seconds
+    assert made == ["a", "b", "c"] and limit.told == "not tried within 10 s: 2 letters"
+    assert list(limit.within("numbers", range(2))) == [0, 1]  # of which none has been long
 
 
 def test_nothing_is_said_where_all_was_tried():

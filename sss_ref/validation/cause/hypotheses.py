@@ -7,7 +7,6 @@ draw, what its triangles may have come to (culling, depth test, half a pixel, fe
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -75,10 +74,15 @@ def hypotheses(
     found = [Hypothesis(text, *fit_of(holds[where], wrong[where])) for text, holds, where in changes_on_the_way(check)]
     sample = sample_of(check, drawn, wrong)
     if sample is not None:
-        for rank, tried in (
-            (NUMBER, chain(other_numbers(sample, limit), _other_uniforms(sample, case), _other_buffers(sample, case))),
-            (STAGE, chain(_kernels(sample), _misreadings(sample), _other_stages(sample, others))),
-        ):
+        found += [Hypothesis(text, *fit, NUMBER) for text, fit in other_numbers(sample, limit)]
+        kinds = (
+            (NUMBER, _other_uniforms(sample, case)),
+            (NUMBER, _other_buffers(sample, case)),
+            (STAGE, _kernels(sample)),
+            (STAGE, _misreadings(sample)),
+            (STAGE, _other_stages(sample, others)),
+        )
+        for rank, tried in limit.within("kinds of other inputs and stages", kinds):
             found += [Hypothesis(text, *fit, rank) for text, fit in tried]
     if drawn.this_pass.draw.vertex_stages and not _fitting(found):
         found += _of_draws(case, check, drawn, wrong, limit)
