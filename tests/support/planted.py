@@ -384,7 +384,7 @@ PLANTED = [
         "half a texel beside the map's",
         camera_pass_stages(
             shadow_lookup_nearest=looked_up(
-                lambda uv, s: vec2(uv.x + np.float32(0.5 / 64), uv.y + np.float32(0.5 / 64))
+                lambda uv, texels: vec2(uv.x + np.float32(0.5 / texels.x), uv.y + np.float32(0.5 / texels.y))
             )
         ),
         "half a texel",
