@@ -22,6 +22,7 @@ ZOOMS = (0.5, 0.8, 0.9, 0.95, 0.98, 0.99, 0.995, 1.005, 1.01, 1.02, 1.05, 1.1, 1
 TURNS = (-5.0, -2.0, -1.0, -0.5, -0.25, -0.1, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0)  # degrees
 SCALES = (0.5, 2.0)
 JITTER = (-1.0, -0.5, -0.25, -0.125, 0.0, 0.125, 0.25, 0.5, 1.0)  # pixels
+CLOSER, FARTHEST = 3, 8.0  # how often a shift is fitted, and how many pixels it may come to
 SIDES = {"x": ("left", "right"), "y": ("down", "up")}
 
 
@@ -64,6 +65,9 @@ def redrawings(todo: Redrawing) -> Iterator[tuple[str, Callable[[], np.ndarray]]
     yield from ((text, partial(todo.draw, changed)) for text, changed in _matrices(todo))
     for text, move in _moves():
         yield text, partial(todo.draw, move=move)
+    x, y = fitted_shift(todo)
+    if not {x, y} <= set(JITTER):
+        yield _lies(x, y), partial(todo.draw, move=partial(_shifted, x, y))
 
 
 def _matrices(todo: Redrawing) -> Iterator[tuple[str, Mapping[str, Any]]]:
@@ -121,12 +125,42 @@ def _moves() -> Iterator[tuple[str, Move]]:
     for x in JITTER:
         for y in JITTER:
             if (x, y) != (0.0, 0.0):
-                yield f"the picture lies {_way(x, y)}: a viewport or a jitter", partial(_shifted, x, y)
+                yield _lies(x, y), partial(_shifted, x, y)
 
 
-def _way(x: float, y: float) -> str:
+def _lies(x: float, y: float) -> str:
     parts = [f"{abs(d):g} pixels too far {SIDES[axis][d > 0]}" for axis, d in (("x", x), ("y", y)) if d]
-    return " and ".join(parts)
+    return f"the picture lies {' and '.join(parts)}: a viewport or a jitter"
+
+
+def fitted_shift(todo: Redrawing) -> tuple[float, float]:
+    """The pixels to the right and up by which a dumped buffer lies off, to a part of a pixel; 0 where none is seen."""
+    got, shift = todo.case.drawing.buffers[todo.buffer], np.zeros(2)
+    if got.dtype != np.float32:
+        return 0.0, 0.0
+    finest = 2**todo.case.profile.subpixel_bits
+    for _ in range(CLOSER):
+        shift += _offset(todo.draw(move=partial(_shifted, *shift)), got)
+    x, y = np.rint(np.clip(shift, -FARTHEST, FARTHEST) * finest) / finest
+    return float(x), float(y)
+
+
+def _offset(drawn: np.ndarray, got: np.ndarray) -> np.ndarray:
+    """How far `got` lies to the right of and above what was drawn, float64 (2,), by least squares on the smooth half.
+
+    To first order got(p) = drawn(p - shift) = drawn(p) - shift . slope(p) (Lucas and Kanade 1981).
+    """
+    with np.errstate(all="ignore"):
+        picture = np.atleast_3d(drawn).astype(np.float64)
+        up, right = np.gradient(picture, axis=(0, 1))
+        bent = sum(np.abs(np.gradient(slope, axis=axis)) for axis, slope in ((0, up), (1, right)))
+        off = picture - np.atleast_3d(got)
+        seen = np.isfinite(bent) & np.isfinite(off) & (np.abs(right) + np.abs(up) > 0)
+    if not seen.any():
+        return np.zeros(2)
+    smooth = seen & (bent <= np.median(bent[seen]))
+    slopes = np.stack([right[smooth], up[smooth]], axis=-1)
+    return np.linalg.lstsq(slopes, off[smooth], rcond=None)[0]
 
 
 def _shifted(x: float, y: float, pieces: Primitives, step: int) -> Primitives:
