@@ -152,15 +152,16 @@ def _offset(drawn: np.ndarray, got: np.ndarray) -> np.ndarray:
     """
     with np.errstate(all="ignore"):
         picture = np.atleast_3d(drawn).astype(np.float64)
-        up, right = np.gradient(picture, axis=(0, 1))
-        bent = sum(np.abs(np.gradient(slope, axis=axis)) for axis, slope in ((0, up), (1, right)))
+        up, right = (np.asarray(np.gradient(picture, axis=axis)) for axis in (0, 1))
+        bent = np.abs(np.gradient(up, axis=0)) + np.abs(np.gradient(right, axis=1))
         off = picture - np.atleast_3d(got)
         seen = np.isfinite(bent) & np.isfinite(off) & (np.abs(right) + np.abs(up) > 0)
     if not seen.any():
         return np.zeros(2)
     smooth = seen & (bent <= np.median(bent[seen]))
     slopes = np.stack([right[smooth], up[smooth]], axis=-1)
-    return np.linalg.lstsq(slopes, off[smooth], rcond=None)[0]
+    fitted: np.ndarray = np.linalg.lstsq(slopes, off[smooth], rcond=None)[0]
+    return fitted
 
 
 def _shifted(x: float, y: float, pieces: Primitives, step: int) -> Primitives:
