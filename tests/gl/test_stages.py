@@ -19,6 +19,13 @@ WITH_POWERS = {  # whose pow and exp are the GPU's own; all else is exact
     "translucency_exponent",
     "translucency_beer",
     "translucency_gaussians",
+    "translucency_ratio_throughout",
+    "translucency_exponent_throughout",
+    "translucency_beer_throughout",
+    "translucency_gaussians_throughout",
+    "light_inside",
+    "seen_through",
+    "gloss_soft",
     "phong_ungated",
     "translucency_unclamped",
 }
