@@ -40,7 +40,7 @@ def main() -> None:
         found = sss_ref.validate(right, {name: wrong[name] for name in right.buffers})
         one = found.culprit
         named = (f"`{one.stage}`", share(one.failing, one.compared)) if one else ("none", "0 %")
-        explained = found.finding.hypotheses[0].text if one and found.finding.hypotheses else "too few pixels"
+        explained = found.finding.hypotheses[0].text if one and found.finding.hypotheses else "none"
         ssim, flip = compared(right.image, wrong.image)
         print(f"| {fault} | {' | '.join(named)} | {explained} | {ssim:.6f} | {flip:.5f} |", flush=True)
 
