@@ -27,10 +27,11 @@ result = sss_ref.render(scene)
 
 # %% [markdown]
 # The paper's central quantity is the thickness: the way of the light through the body. It is the distance between a
-# fragment and the point where the light that reaches it entered; to the last bit, since the order of the sum is a rule.
+# point just below the fragment and the point where the light that reaches it entered; to the last bit, since the order
+# of the sum is a rule.
 
 # %%
-way = result["position_world"] - result["entry_point"]
+way = result["inside_point"] - result["entry_point"]
 x, y, z = np.moveaxis(way, -1, 0)
 thickness = np.sqrt((x * x + y * y) + z * z)  # in float32, in this order
 assert np.array_equal(thickness, result["thickness"])

@@ -129,8 +129,8 @@ def test_verify_tells_a_difference_by_its_exit_code(out, capsys, monkeypatch):
         (["diff", ".", ".", "-o", "x.jpg"], "x.jpg: expected a file name ending in .png, got .jpg"),
         (["diff", ".", ".", "-o", "no/x.png"], "no/x.png: expected an existing folder, got no"),
         (["info", "nothing.obj"], "nothing.obj: expected a readable file, got No such file"),
-        (["info", "nothing"], "nothing: expected one of .obj"),
-        (["init", "nothing"], "nothing: expected one of .obj"),
+        (["info", "nothing"], "nothing: expected a mesh file or a shipped mesh's name, got neither"),
+        (["init", "nothing"], "nothing: expected a mesh file or a shipped mesh's name, got neither"),
         (["init", "tetrahedron", "-o", "head.obj"], "head.obj: expected a file name that ends in .toml, got .obj; add"),
     ],
 )  # fmt: skip

@@ -121,7 +121,7 @@ def check_kills(folder, kills, items, seed):
 
 
 def test_a_killed_batch_loses_what_is_in_flight_alone(tmp_path):
-    check_kills(tmp_path, kills=2, items=250, seed=2)
+    check_kills(tmp_path, kills=2, items=600, seed=2)
 
 
 @pytest.mark.full

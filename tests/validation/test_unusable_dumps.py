@@ -63,7 +63,10 @@ def test_a_dump_of_integers_all_0_fails(judged, buffers):
 
 def test_what_follows_from_nan_is_undefined_and_what_made_it_fails(judged, buffers):
     """A stage that is given NaN gives NaN, and nothing can be said of it."""
-    nothing = {name: np.full_like(buffers[name], np.nan) for name in ("position_world", "entry_point", "thickness")}
+    nothing = {
+        name: np.full_like(buffers[name], np.nan)
+        for name in ("position_world", "inside_point", "entry_point", "thickness")
+    }
     code, printed, _ = judged(buffers | nothing)
     assert code == 1 and "fail: stage surface of pass camera" in printed
     assert "of position_world are out of reach" in printed
