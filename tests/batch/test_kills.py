@@ -31,7 +31,8 @@ mesh = {path = "tetrahedron.obj"}
 camera = {type = "orbit", distance = 5}
 lights = [{position = [0, 0, 9]}]
 """
-LONGEST = 1.5  # seconds of rendering before a kill
+MOST_BETWEEN = 60  # items from one kill to the next
+MOMENT = 0.02  # seconds from an item to the kill, of about the time that an item takes
 PATIENCE = 300.0  # seconds, on a machine that has much else to do
 
 
@@ -71,10 +72,10 @@ def is_running(pid):
 
 def killed_once(sweep, folder, draw, whole):
     """Begin a batch, and kill it, or else one of the processes that render, at a moment that is drawn."""
-    count = complete(folder)
+    count = complete(folder) + draw.randint(0, MOST_BETWEEN)
     process = begun(sweep, folder)
     awaited(lambda: complete(folder) > count or process.poll() is not None)
-    time.sleep(draw.uniform(0, LONGEST))
+    time.sleep(draw.uniform(0, MOMENT))
     workers = renderers(process)
     assert process.poll() is None and workers, "it had ended before it was killed; give it more items"
     if whole:
