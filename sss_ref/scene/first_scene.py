@@ -13,6 +13,7 @@ from sss_ref.mesh.likely_size import LONGEST_MM, LikelySize, three_digits
 from sss_ref.mesh.mesh_file import load_mesh
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.numerics.trigonometry import tangent
+from sss_ref.scene_file.presets import ROBUST
 from sss_ref.scene_file.shipped import given_mesh
 from sss_ref.view.light_fit import Bounds
 from sss_ref.view.matrices import look_at, outward, transformed
@@ -20,9 +21,9 @@ from sss_ref.view.views import UP
 
 AZIMUTH, ELEVATION, FOV_Y = 25.0, 5.0, 30.0  # degrees: a portrait
 AROUND = 1.12  # room around the mesh, as a factor on half of its height or width in the picture
-SIZE, SCALE = 2.0, 0.1  # units: the longest side of the bust, and the factor on T that was chosen on it
+SIZE = 2.0  # units: the longest side of the bust, on which preset robust was chosen
 SMALLEST, LARGEST = 1e-12, 1e12  # units: the longest side of a mesh that a first scene is written for
-EXPONENT = 0.75  # of the thickness in T
+SCALE, EXPONENT = (ROBUST["translucency"][key] for key in ("scale", "exponent"))  # of T, and of the thickness in it
 
 TEXT = """\
 # A first scene for {name}. Every key may be changed; what is left out comes from the preset.

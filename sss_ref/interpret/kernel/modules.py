@@ -62,12 +62,8 @@ def imported(source: str, name: str) -> ModuleType:
     path = f"<{module_name}>"
     module = ModuleType(module_name)
     module.__file__ = path
-    linecache.cache[path] = (
-        len(source),
-        None,
-        source.splitlines(keepends=True),
-        path,
-    )  # for whoever asks for its lines
+    lines = source.splitlines(keepends=True)
+    linecache.cache[path] = len(source), None, lines, path  # for whoever asks for its lines
     sys.modules[module_name] = module  # numba looks a kept function's module up by name
     exec(compile(source, path, "exec"), module.__dict__)
     return module
