@@ -27,6 +27,7 @@ OTHERS = {
         "figure5",
         {**WIDE, "irradiance_map.width": 160, "irradiance_map.height": 96, "shadow_map.filter": "bilinear"},
     ),
+    "figure3_with, separable": ("figure3_with", {"method": "separable"}),
     "wedge, literal test, wide map": ("wedge", {**WIDE, "shadow_map.test": "literal", "shadow_map.filter": "bilinear"}),
 }
 

@@ -8,7 +8,7 @@ from markup import directive, prose
 from pydantic.fields import FieldInfo
 
 from sss_ref.dump import mapping
-from sss_ref.scene_file import quantities, scattering, settings
+from sss_ref.scene_file import diffusion, quantities, scattering, settings
 from sss_ref.scene_file.presets import PRESETS
 from sss_ref.scene_file.profiles import PROFILES
 
@@ -41,6 +41,7 @@ WORDS = {  # how a reader calls the type of a value
     + ", ".join(f'`"{name}"`' for name in get_args(get_args(scattering.KernelName)[0]))
     + ", or an array of `[X, Y, r, g, b]`",
     scattering.Profile: "one of " + ", ".join(f'`"{name}"`' for name in PROFILES) + ", or an array of `[v, r, g, b]`",
+    diffusion.Taps: f"odd whole number from 3 to {diffusion.MOST_TAPS}",
     mapping.Part: "text or whole number",
     mapping.ChannelNames: "text of single letters, or an array of names",
     mapping.Shape: "`[height, width]` or `[height, width, channels]`",

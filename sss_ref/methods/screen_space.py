@@ -44,25 +44,33 @@ UNIT = {  # of the kernel's offsets: the stages that say what one is at a fragme
 
 def screen_space(settings: SceneFile) -> Method:
     """The passes, each named alternative of the scene file put in as the stage it stands for."""
-    lights = Lights(settings)
     masked = settings.blur.mask != "none"
     stencil = ScreenDraw("coverage" if masked else "")
     lengths_there, scale = UNIT[settings.blur.unit]
-    inside, through, picture = inner_passes(settings, lights)
-    camera = (*behind_the_surface(settings, lights), *lengths_there, *lit(settings, lights), *through)
+    before, picture = up_to_the_camera(settings, lengths_there)
     blurred = (BLUR_ON_SURFACE if settings.blur.follow_surface else BLUR)[settings.blur.mask]
     return Method(
         "screen_space",
         passes=(
-            *shadow_maps(lights),
-            *inside,
-            Pass("camera", "camera", camera_view(settings), camera),
+            *before,
             Pass("blur", "camera", stencil, (blurred.bound(pixel_scale=scale, lit=picture),)),
             Pass("taps", "camera", stencil, single_taps(settings, scale, picture), on_demand=True),
             Pass("composite", "camera", ScreenDraw(), (composite.over_background if masked else composite.glow,)),
         ),
         constants=neutral(settings),
     )
+
+
+def up_to_the_camera(settings: SceneFile, lengths_there: tuple[Stage, ...]) -> tuple[tuple[Pass, ...], str]:
+    """The passes before any light scatters sideways, and the buffer that has the picture then.
+
+    lengths_there: the stages that say what an offset of the kernel is at a fragment.
+    """
+    lights = Lights(settings)
+    inside, through, picture = inner_passes(settings, lights)
+    camera = (*behind_the_surface(settings, lights), *lengths_there, *lit(settings, lights), *through)
+    passes = (*shadow_maps(lights), *inside, Pass("camera", "camera", camera_view(settings), camera))
+    return passes, picture
 
 
 def lit(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:

@@ -70,6 +70,7 @@ BUFFERS = {
     "lit": Buffer("linear RGB", in_parts=True),
     "way_to_inner": Buffer("mm along the line of sight"),
     "seen": Buffer("linear RGB"),
+    "scattered_rows": Buffer("linear RGB"),
     "scattered": Buffer("linear RGB"),
     "image": Buffer("linear RGB", "background"),
     "tap": Buffer("linear RGB, one tap's share of the blur"),

@@ -51,8 +51,8 @@ def _varies(image: np.ndarray) -> bool:
 
 def _other_background(scene: Scene) -> Iterator[str]:
     """A background that sets off the mesh, where the image has one at all."""
-    settings = scene.settings
-    if settings.method == "texture_space" or settings.blur.mask != "none":
+    if not scene.settings.glows:
+        settings = scene.settings
         yield f"output.background = {BLACK if max(settings.output.background) > max(GREY) else GREY}"
 
 

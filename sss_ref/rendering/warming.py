@@ -9,7 +9,7 @@ from sss_ref.interpret.kernel.ahead import compile_alone, compile_method, compil
 from sss_ref.language.pipeline import Method
 from sss_ref.methods.stages import all_stages
 from sss_ref.rendering.fold import render
-from sss_ref.scene.catalogue import METHODS, method_of
+from sss_ref.scene.catalogue import METHODS, TECHNIQUES, method_of
 from sss_ref.scene.load import load_scene
 from sss_ref.scene.memory import check_memory
 from sss_ref.scene_file.presets import PRESETS
@@ -41,7 +41,7 @@ def methods_of(scene: str) -> Iterator[Method]:
     """A shipped scene's own method, then every method with every preset that the scene allows."""
     document = opened(scene)
     yield method_of(validated(document, {}, check_memory))
-    for method, preset in product(METHODS, PRESETS):
+    for method, preset in product(METHODS | TECHNIQUES, PRESETS):
         try:
             settings = validated(document, {"method": method, "preset": preset}, check_memory)
         except SceneError:

@@ -97,8 +97,7 @@ def preview(result: Result) -> tuple[np.ndarray, np.ndarray | None]:
 
     A picture whose blur reaches beyond the model has no alpha: it would hide the halo.
     """
-    settings = result.scene.settings
-    if settings.method == "screen_space" and settings.blur.mask == "none":
+    if result.scene.settings.glows:
         return result.image, None
     if isinstance(result, SampledResult):
         return result.foreground, result.coverage

@@ -6,7 +6,7 @@ import numpy as np
 
 from sss_ref.scene.placed_mesh import PlacedMesh
 from sss_ref.scene.unseen import unseen, written
-from sss_ref.scene_file.settings import SceneFile
+from sss_ref.scene_file.settings import PRINTED, SceneFile
 from sss_ref.view.light_fit import Bounds
 from sss_ref.view.matrices import length
 from sss_ref.view.views import Light, View
@@ -37,6 +37,7 @@ def surprises_inside(surface: PlacedMesh, inner: PlacedMesh) -> Iterator[str]:
 def _of_unit(settings: SceneFile) -> Iterator[str]:
     """Lengths in mm in a scene that does not say how long its unit is."""
     in_mm = {
+        f'method = "{settings.method}"': settings.method not in PRINTED,
         'blur.unit = "mm"': settings.blur.unit == "mm",
         'translucency.form = "gaussians"': settings.translucency.form == "gaussians",
         "layers": bool(settings.layers),

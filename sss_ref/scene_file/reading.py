@@ -11,7 +11,7 @@ from pydantic import BaseModel, ValidationError
 from sss_ref.errors import SceneError
 from sss_ref.errors.text_file import toml_of
 from sss_ref.errors.wording import KeyPath, described, told, written
-from sss_ref.scene_file import scattering, settings, viewpoints
+from sss_ref.scene_file import diffusion, scattering, settings, viewpoints
 from sss_ref.scene_file.bundled import bundled_settings, is_bundle
 from sss_ref.scene_file.layers import filled, is_overridden, overridden, override_paths
 from sss_ref.scene_file.presets import misfits
@@ -35,6 +35,7 @@ TABLES: dict[KeyPath, type[BaseModel]] = {
     ("phong",): settings.PhongSettings,
     ("translucency",): scattering.TranslucencySettings,
     ("blur",): scattering.Blur,
+    ("diffusion",): diffusion.Diffusion,
     ("irradiance_map",): settings.IrradianceMap,
     ("output",): settings.Output,
 }

@@ -13,6 +13,7 @@ from pydantic import AfterValidator, Discriminator, Field, Tag, ValidationInfo, 
 from sss_ref.errors.wording import unmet
 from sss_ref.numerics.elementary import exp2_array
 from sss_ref.scene_file.color_texture import texture_size
+from sss_ref.scene_file.diffusion import Diffusion
 from sss_ref.scene_file.profiles import MaterialName
 from sss_ref.scene_file.quantities import (
     Color,
@@ -31,6 +32,7 @@ from sss_ref.scene_file.scattering import Blur, TranslucencySettings
 from sss_ref.scene_file.shipped import find_mesh, mesh_names
 from sss_ref.scene_file.viewpoints import Camera, LightSettings
 
+PRINTED = ("screen_space", "texture_space")  # the methods that the paper has
 MOST_LIGHTS = 64
 LAYERS = counting(0, 1, "at most one layer", "remove the others")
 LIGHTS = counting(1, MOST_LIGHTS, f"1 to {MOST_LIGHTS} lights", "add or remove [[lights]]")
@@ -195,8 +197,9 @@ class Output(Table):
 class SceneFile(Table):
     """A whole scene file with every key filled."""
 
-    method: Literal["screen_space", "texture_space"] = "screen_space"
-    """Where the light is diffused: in the image (paper 2.1) or on the surface (paper 2.2)."""
+    method: Literal["screen_space", "texture_space", "separable"] = "screen_space"
+    """Where the light is diffused: in the image (paper 2.1) or on the surface (paper 2.2); separable: in the image,
+    first along x, then along y (Jimenez et al. 2015)."""
     preset: Literal["paper", "robust", "published"] = "paper"
     """What fills the keys that are not given; published also has passes of its own."""
     material: MaterialName | None = None
@@ -212,6 +215,7 @@ class SceneFile(Table):
     phong: PhongSettings = PhongSettings()
     translucency: TranslucencySettings
     blur: Blur
+    diffusion: Diffusion = Diffusion()
     irradiance_map: IrradianceMap
     output: Output = Output()
 
@@ -226,6 +230,20 @@ class SceneFile(Table):
         return self.model_copy(
             update={"mesh": mesh, "phong": layer.phong, "translucency": layer.translucency, "layers": ()}
         )
+
+    @property
+    def glows(self) -> bool:
+        """Whether the picture reaches beyond the model, over the background."""
+        return self.method == "screen_space" and self.blur.mask == "none"
+
+    @field_validator("preset")
+    @classmethod
+    def _has_figures(cls, preset: str, info: ValidationInfo) -> str:
+        method = info.data.get("method", PRINTED[0])
+        if preset == "published" and method not in PRINTED:
+            remedy = f"choose another, or a method that the paper has figures of ({' or '.join(PRINTED)})"
+            raise unmet(f'"paper" or "robust" with method = "{method}"', remedy)
+        return preset
 
     @field_validator("layers")
     @classmethod

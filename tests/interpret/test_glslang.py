@@ -10,7 +10,7 @@ from scenes import settings_with
 
 from sss_ref.interpret.shader import DIALECTS, shader_files
 from sss_ref.methods.stages import all_stages
-from sss_ref.scene.catalogue import METHODS, method_of
+from sss_ref.scene.catalogue import METHODS, TECHNIQUES, method_of
 from sss_ref.scene_file import scattering, settings
 
 VALIDATOR = shutil.which("glslangValidator")
@@ -71,6 +71,9 @@ def shaders(dialect):
         {"method": method, key: value} for method in METHODS for key, values in CHOICES.items() for value in values
     ]
     cases += [{"method": method, **together} for method in METHODS for together in TOGETHER]
+    cases += [
+        {"method": method, **lights} for method in TECHNIQUES for lights in ({}, {"lights.0.type": "directional"})
+    ]
     cases += [{"layers": [LAYER], **lights} for lights in ({}, {"lights.0.type": "directional"})]
     methods = [method_of(settings_with(case)) for case in cases]
     files = [

@@ -5,6 +5,7 @@ from sss_ref.scene_file.layers import filled
 from sss_ref.scene_file.settings import MeshSettings, SceneFile
 
 COMMON = {
+    "diffusion": {"profile": "skin", "reach_mm": 8.0, "taps": 25},
     "layers": (),
     "method": "screen_space",
     "material": None,

@@ -6,7 +6,7 @@ from typing import get_args
 
 from scenes import settings_with
 
-from sss_ref.scene.catalogue import METHODS, method_of
+from sss_ref.scene.catalogue import METHODS, TECHNIQUES, method_of
 from sss_ref.scene_file import scattering, settings, viewpoints
 from sss_ref.scene_file.presets import FIXED, ONLY_PUBLISHED
 
@@ -55,5 +55,7 @@ def methods_with_settings():
             )
         cases.append({"method": method, "preset": "published", "translucency": {"x": [0.5, 0.4, 0.3]}})
         cases.append({"method": method, "mesh.normal_map": "any.png", "mesh.specular_map": "any.png"})
+    for technique, lights, unit in product(TECHNIQUES, (1, 3), alternatives(scattering.Blur, "unit")):
+        cases.append({"method": technique, "lights": [{"position": [0.0, 0.0, 5.0]}] * lights, "blur.unit": unit})
     cases += [{"layers": [LAYER], "lights": [{"position": [0.0, 0.0, 5.0]}] * lights} for lights in (1, 3)]
     return [(method_of(one), one) for one in map(settings_with, cases)]

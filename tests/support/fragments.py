@@ -103,6 +103,11 @@ UNIFORMS: dict[str, Any] = {
     "gaussian_count": 3,
     "translucency_scale": np.float32(0.2),
     "wrap": np.float32(0.3),
+    "kernel_place": np.array([-1, -0.25, 0, 0.25, 1], np.float32),
+    "kernel_weight": np.array(
+        [[0.1, 0, 0.01], [0.2, 0.1, -0.1], [0.4, 0.8, 1], [0.2, 0.1, 0], [0, 0.1, 0]], np.float32
+    ),
+    "kernel_count": 5,
     "pixel_scale": np.float32(1),
     "offset": np.array([-1.3, 2.6], np.float32),
     "weight": np.array([0.3, 0.2, 0.1], np.float32),
@@ -117,6 +122,11 @@ BLUR = [
     FAR,
     {"pixel_scale": np.float32(0.37)},
 ]
+LONE_PLACE = {
+    "kernel_place": np.array([-30], np.float32),
+    "kernel_weight": np.ones((1, 3), np.float32),
+    "kernel_count": 1,
+}
 VARIANTS: dict[str, list[dict[str, Any]]] = {  # stage -> further uniforms to run it with
     "shadow_lookup_nearest": [{"lookup_inset": np.float32(0.99)}],
     "shadow_lookup_bilinear": [{"lookup_inset": np.float32(0.99)}],
@@ -146,6 +156,8 @@ VARIANTS: dict[str, list[dict[str, Any]]] = {  # stage -> further uniforms to ru
     "scatter_inside": BLUR,
     "scatter_on_surface": BLUR,
     "scatter_inside_surface": BLUR,
+    "scatter_rows": [LONE_PLACE],
+    "scatter_columns": [LONE_PLACE],
 }
 
 
@@ -221,6 +233,7 @@ def shading(picture: Picture) -> dict[str, np.ndarray]:
         "translucency": picture.mixed(picture.rng.exponential(size=picture.shape), [0.0, 1.0, 65504.0]),
         "coverage": coverage,
         "lit": picture.color() * coverage[..., None].astype(np.float32),
+        "scattered_rows": picture.color(),
         "scattered": picture.color(),
         "color": picture.mixed(picture.rng.uniform(-0.5, 1.5, (*picture.shape, 3)), HALVES),
         "value": picture.mixed(picture.rng.uniform(-0.5, 1.5, picture.shape), HALVES[0]),

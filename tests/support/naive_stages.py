@@ -14,11 +14,13 @@ from naive_language import (
     correctly_rounded,
     cross,
     dot,
+    fetch,
     four_texels,
     length,
     maximum,
     minimum,
     minus,
+    mix,
     nearest,
     negative,
     normalize,
@@ -562,6 +564,39 @@ def scatter_on_surface(lit, coverage, position_world, pixel, tap_offset, tap_wei
 def scatter_inside_surface(lit, coverage, position_world, pixel, tap_offset, tap_weight, tap_count, pixel_scale, ahead):
     there = _on_surface(coverage, position_world, pixel, ahead)
     return scatter_inside(lit, there, pixel, tap_offset, tap_weight, tap_count, pixel_scale)
+
+
+def _scatter_along(axis, lit, coverage, position_world, pixel, places, weights, count, pixels_per_offset, ahead):
+    """axis: 0 for rows, 1 for columns."""
+    here, centre = position_world[pixel[1], pixel[0]], list(lit[pixel[1], pixel[0]])
+    step = [int(axis == 0), int(axis == 1)]
+    total = None
+    for place, weight in zip(places[:count], weights[:count], strict=True):
+        whole, t = split([place * pixels_per_offset, F(0)])
+        near = [pixel[0] + whole[0] * step[0], pixel[1] + whole[0] * step[1]]
+        shares, colors = [], []
+        for column, row in (near, [near[0] + step[0], near[1] + step[1]]):
+            away = abs(dot(minus(fetch(position_world, column, row), here), ahead))
+            shares.append(maximum(F(1) - away, F(0)) if fetch(coverage, column, row)[0] else F(0))
+            colors.append(scaled(fetch(lit, column, row), shares[-1]))
+        share = mix(shares[:1], shares[1:], t[0])[0]
+        sample = times(added(mix(*colors, t[0]), scaled(centre, F(1) - share)), list(weight))
+        total = sample if total is None else added(total, sample)
+    return (total,)
+
+
+def scatter_rows(
+    lit, coverage, position_world, pixel, kernel_place, kernel_weight, kernel_count, pixels_per_offset, ahead
+):
+    kernel = kernel_place, kernel_weight, kernel_count
+    return _scatter_along(0, lit, coverage, position_world, pixel, *kernel, pixels_per_offset, ahead)
+
+
+def scatter_columns(
+    scattered_rows, coverage, position_world, pixel, kernel_place, kernel_weight, kernel_count, pixels_per_offset, ahead
+):
+    kernel = kernel_place, kernel_weight, kernel_count
+    return _scatter_along(1, scattered_rows, coverage, position_world, pixel, *kernel, pixels_per_offset, ahead)
 
 
 # Composite

@@ -1,0 +1,111 @@
+"""The separable blur: two sums of one axis each in the place of one over the plane (Jimenez et al. 2015).
+
+A tap of the kernel is a place along the axis, as a share of the kernel's reach, with one weight per colour channel. The
+farther something lies before or behind the surface, the less it counts, and the more the pixel itself does.
+"""
+
+from typing import NamedTuple
+
+from sss_ref.language import (
+    Array,
+    Texture,
+    dot,
+    fractional_part,
+    function,
+    ivec2,
+    max,
+    mix,
+    select,
+    stage,
+    texel,
+    texel_clamped,
+    vec2,
+    vec3,
+    whole_part,
+)
+from sss_ref.passes.blur import EMPTY_SUM, Scattered
+from sss_ref.passes.blur_on_surface import lit_with_share
+
+
+@function
+def nearness(position_world: Texture[vec3], coverage: Texture[bool], at: ivec2, here: vec3, ahead: vec3) -> float:
+    """1 where a texel shows the model at a point's depth, less before or behind it, 0 from the kernel's reach on.
+
+    ahead: the camera's direction divided by that reach.
+    """
+    reaches = dot(texel_clamped(position_world, at) - here, ahead)
+    return select(texel_clamped(coverage, at), max(1.0 - max(reaches, -reaches), 0.0), 0.0)
+
+
+@function
+def tap_along(
+    lit: Texture[vec3],
+    coverage: Texture[bool],
+    position_world: Texture[vec3],
+    pixel: ivec2,
+    offset: vec2,
+    step: ivec2,
+    ahead: vec3,
+) -> vec3:
+    """The lit model at an offset along one axis, between two texels; what is off the surface counts as the pixel.
+
+    offset: in pixels, 0 on the other axis; step: from a texel to the next along the axis.
+    """
+    corner = pixel + whole_part(offset)
+    beyond = corner + step
+    here = texel(position_world, pixel)
+    fraction = fractional_part(offset)
+    sample = mix(
+        lit_with_share(lit, corner, nearness(position_world, coverage, corner, here, ahead)),
+        lit_with_share(lit, beyond, nearness(position_world, coverage, beyond, here, ahead)),
+        fraction.x + fraction.y,
+    )
+    return sample.xyz + texel(lit, pixel) * (1.0 - sample.w)
+
+
+class ScatteredRows(NamedTuple):
+    """The lit model after scattering along the rows of the picture."""
+
+    scattered_rows: vec3  # linear RGB
+
+
+@stage(source="Jimenez et al. 2015, along x")
+def scatter_rows(
+    lit: Texture[vec3],
+    coverage: Texture[bool],
+    position_world: Texture[vec3],
+    pixel: ivec2,
+    kernel_place: Array[float],
+    kernel_weight: Array[vec3],
+    kernel_count: int,
+    pixels_per_offset: float,
+    ahead: vec3,
+) -> ScatteredRows:
+    """The weighted sum of all taps along the row, from left to right."""
+    total = vec3(EMPTY_SUM, EMPTY_SUM, EMPTY_SUM)
+    for tap in range(0, kernel_count):
+        offset = vec2(kernel_place[tap] * pixels_per_offset, 0.0)
+        sample = tap_along(lit, coverage, position_world, pixel, offset, ivec2(1, 0), ahead)
+        total = total + sample * kernel_weight[tap]
+    return ScatteredRows(total)
+
+
+@stage(source="Jimenez et al. 2015, along y")
+def scatter_columns(
+    scattered_rows: Texture[vec3],
+    coverage: Texture[bool],
+    position_world: Texture[vec3],
+    pixel: ivec2,
+    kernel_place: Array[float],
+    kernel_weight: Array[vec3],
+    kernel_count: int,
+    pixels_per_offset: float,
+    ahead: vec3,
+) -> Scattered:
+    """The same of what that gave, along the column, upwards."""
+    total = vec3(EMPTY_SUM, EMPTY_SUM, EMPTY_SUM)
+    for tap in range(0, kernel_count):
+        offset = vec2(0.0, kernel_place[tap] * pixels_per_offset)
+        sample = tap_along(scattered_rows, coverage, position_world, pixel, offset, ivec2(0, 1), ahead)
+        total = total + sample * kernel_weight[tap]
+    return Scattered(total)

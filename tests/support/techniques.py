@@ -1,0 +1,23 @@
+"""The techniques beside the paper's two methods: small scenes of each, and a mistake in each with where it is."""
+
+from sss_ref.scene.load import load_scene
+
+MAPS = {f"{table}.{side}": 48 for table in ("shadow_map", "irradiance_map") for side in ("width", "height")}
+SIDES = {**MAPS, "camera.width": 48, "camera.height": 48}
+TWO_LIGHTS = [{"position": [2.4, 1.5, 1.5]}, {"type": "directional", "position": [-4.0, 3.0, 2.0]}]
+SCENES = {  # technique -> what its scene has of its own
+    "separable": {"diffusion.taps": 9},
+}
+MISTAKES = {  # technique -> keys of a scene that computes something else, and the stage where it first does
+    "separable": ({"diffusion.profile": "milk"}, "scatter_rows"),
+}
+
+
+def of(technique, **given):
+    """The bust, small, by a technique."""
+    return load_scene(
+        "figure3_with",
+        method=technique,
+        preset="robust",
+        **{**(SIDES if "camera" not in given else MAPS), **SCENES[technique], **given},
+    )
