@@ -9,8 +9,7 @@ import numpy as np
 from sss_ref.dump.loss import Loss
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import told
-from sss_ref.scene.memory import MEMORY_LIMIT
-from sss_ref.scene_file.quantities import LARGEST_SIZE
+from sss_ref.scene_file.quantities import LARGEST_SIZE, MEMORY_LIMIT
 
 STORAGE_OF_TYPE = {
     "f4": "float32",

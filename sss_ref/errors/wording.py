@@ -63,6 +63,11 @@ def told(where: str, expected: str, came: str, remedy: str) -> str:
     return f"{where}: expected {expected}, got {came}; {remedy}"
 
 
+def gibibytes(size: int) -> str:
+    """An amount of memory as the user reads it."""
+    return f"{size / 2**30:.3g} GiB"
+
+
 def described(error: ErrorDetails, known: Iterable[str]) -> tuple[KeyPath, str]:
     """The key path of a validation error, and the problem without its file.
 

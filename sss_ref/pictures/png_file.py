@@ -10,6 +10,7 @@ import numpy as np
 
 from sss_ref.scene_file.settings import SceneFile
 
+ROWS = 16  # encoded at a time
 DROPPED_BITS = 15  # of a float32: sign, exponent and 8 bits of the fraction stay
 ZLIB: dict[str, Any] = {
     "compress_level": 1,
@@ -98,7 +99,15 @@ def write_png(
     """
     from PIL import Image
 
-    pixels = encode(image)
-    if coverage is not None:
-        pixels = np.dstack((pixels, plain8(coverage)))
-    Image.fromarray(np.ascontiguousarray(pixels[::-1])).save(path, **ZLIB)
+    Image.fromarray(_pixels(image, coverage, encode)).save(path, **ZLIB)
+
+
+def _pixels(image: np.ndarray, coverage: np.ndarray | None, encode: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
+    """What `write_png` writes, uint8 (H, W, 3), or with alpha (H, W, 4), top row first."""
+    pixels = np.empty((*image.shape[:2], 3 if coverage is None else 4), np.uint8)
+    for start in range(0, len(image), ROWS):  # what encoding needs on the way is of some rows, never of the picture
+        rows = slice(start, start + ROWS)
+        pixels[rows, :, :3] = encode(image[::-1][rows])
+        if coverage is not None:
+            pixels[rows, :, 3] = plain8(coverage[::-1][rows])
+    return pixels

@@ -20,6 +20,7 @@ from sss_ref.language.pipeline import Pass
 from sss_ref.raster.viewport import FINEST
 from sss_ref.rendering.cut_off import cut_off
 from sss_ref.rendering.draw import Buffers, Machine, Sketch, draw, shade
+from sss_ref.rendering.memory import check_memory
 from sss_ref.rendering.nothing_shown import hidden, nothing_drawn
 from sss_ref.rendering.result import Result
 from sss_ref.scene.scene import Scene
@@ -44,8 +45,8 @@ def render(
         "registers", or buffers one by one.
     on_pass: called with the name of each pass before it runs.
     subpixel_bits: of the snap (rule R2), 0 to 8; 8, the default, are the rules' bits, others for comparing with a GPU.
-    Raises SceneError for an unknown interpreter or buffer or bits out of range, RenderError where a stage gives NaN
-    or infinity.
+    Raises SceneError for an unknown interpreter or buffer, bits out of range, or more than 4 GiB of buffers at one
+    time; RenderError where a stage gives NaN or infinity.
     """
     with machine_of(interpreter, threads, subpixel_bits) as machine:
         return folded(scene, machine, scene.kept(keep), on_pass)
@@ -71,6 +72,7 @@ def folded(
 
     on_buffer: called with each of them, its name first, as soon as the pass that writes it is done.
     """
+    check_memory(scene, kept)
     buffers: dict[str, np.ndarray] = {}
     timings: dict[str, float] = {}
     notes: list[str] = []

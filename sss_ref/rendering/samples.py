@@ -16,11 +16,14 @@ from numpy.typing import NDArray
 
 from sss_ref.errors import SceneError
 from sss_ref.rendering.fold import render
+from sss_ref.rendering.memory import check_memory
 from sss_ref.rendering.result import Result
 from sss_ref.scene.scene import Scene
 from sss_ref.view.matrices import Matrix, product, translation
 from sss_ref.view.views import View
 
+LAYERED = ("coverage", "image")
+SUMMING_BYTES = 3 * 7 * 4  # a pixel: the layers of one sample, those of all before it, and their sum
 FloatArray = NDArray[np.float32]
 
 
@@ -61,10 +64,11 @@ def render_samples(
     """
     if n < 1:
         raise SceneError(f"samples: expected at least 1, got {n}; 4 makes smooth edges")
+    check_memory(scene, {*LAYERED}, SUMMING_BYTES)
     layers, timings = None, Counter[str]()
     for number, offset in enumerate(offsets(n), start=1):
         told = _naming(f"sample {number} of {n * n}", on_pass)
-        result = render(moved(scene, offset), interpreter, threads, ["coverage", "image"], told)
+        result = render(moved(scene, offset), interpreter, threads, LAYERED, told)
         layers = _layers(result) if layers is None else layers + _layers(result)  # from the first one, or -0 became 0
         timings.update(result.timings)
     assert layers is not None

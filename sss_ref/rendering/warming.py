@@ -11,7 +11,6 @@ from sss_ref.methods.stages import all_stages
 from sss_ref.rendering.fold import render
 from sss_ref.scene.catalogue import METHODS, TECHNIQUES, method_of
 from sss_ref.scene.load import load_scene
-from sss_ref.scene.memory import check_memory
 from sss_ref.scene_file.presets import PRESETS
 from sss_ref.scene_file.reading import opened, validated
 from sss_ref.scene_file.shipped import scene_names
@@ -40,10 +39,10 @@ def steps() -> Iterator[str]:
 def methods_of(scene: str) -> Iterator[Method]:
     """A shipped scene's own method, then every method with every preset that the scene allows."""
     document = opened(scene)
-    yield method_of(validated(document, {}, check_memory))
+    yield method_of(validated(document, {}))
     for method, preset in product(METHODS | TECHNIQUES, PRESETS):
         try:
-            settings = validated(document, {"method": method, "preset": preset}, check_memory)
+            settings = validated(document, {"method": method, "preset": preset})
         except SceneError:
             continue
         yield method_of(settings)

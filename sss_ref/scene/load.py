@@ -14,7 +14,6 @@ from sss_ref.mesh.tangents import with_tangents
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.mesh.unwrap import unwrapped
 from sss_ref.scene.albedo import albedo_of, albedo_warnings
-from sss_ref.scene.memory import check_memory
 from sss_ref.scene.placed_mesh import PlacedMesh
 from sss_ref.scene.scene import Scene
 from sss_ref.scene.surface_maps import normal_map_of, specular_map_of
@@ -55,7 +54,7 @@ def scene_of(
 
     read: what gives its meshes: `read_mesh`, or for many scenes one that remembers what it has given.
     """
-    settings = validated(document, overrides, check_memory)
+    settings = validated(document, overrides)
     inner = _mesh_of(settings.inner.mesh, document.folder, read) if settings.inner else None
     return _assembled(settings, document, _mesh_of(settings.mesh, document.folder, read), inner)
 

@@ -8,6 +8,8 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Dis
 
 from sss_ref.errors.wording import unmet
 
+MEMORY_LIMIT = 4 * 2**30  # bytes of buffers and pictures at one time
+TEXEL_BYTES = 12  # of a decoded picture: three channels, float32
 LARGEST_SIZE = 16384  # pixels: snapped window positions stay within 32 bits
 MOST_STOPS = 20  # a factor of a million, either way
 FLOAT32_OVERFLOW = 2.0**128 - 2.0**103  # the smallest magnitude that rounds to infinity in float32

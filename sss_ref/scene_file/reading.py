@@ -1,7 +1,7 @@
 """From a scene file's text to its settings, or to one error that lists everything wrong with it."""
 
 import os
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -72,22 +72,13 @@ def folder_of(source: str) -> Path:
     return (scene_path(source) if source in scene_names() else Path(source)).parent
 
 
-def validated(
-    document: Document,
-    overrides: Mapping[str, Any],
-    check_memory: Callable[[Mapping[str, Any], Mapping[KeyPath, tuple[int, int]]], None],
-) -> settings.SceneFile:
-    """The settings with every key filled but those that are fitted to the mesh. Raises SceneError.
-
-    check_memory: is handed the tables that are right and the sizes of the pictures; raises where they need too much.
-    """
+def validated(document: Document, overrides: Mapping[str, Any]) -> settings.SceneFile:
+    """The settings with every key filled but those that are fitted to the mesh. Raises SceneError."""
     given, misplaced = overridden(document.data, overrides)
     data, paths = filled(given), override_paths(overrides)
     problems = [f"override: {problem}" for problem in (*misplaced, *_filled_before(document, given))]
     try:
-        result = settings.SceneFile.model_validate(
-            data, context={"folder": document.folder, "check_memory": check_memory}
-        )
+        result = settings.SceneFile.model_validate(data, context={"folder": document.folder})
     except ValidationError as error:
         problems += _attributed(_problems_of(error), document.source, paths)
     problems += _attributed([*misfits(data), *without_unit(given)], document.source, paths)

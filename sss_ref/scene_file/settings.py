@@ -10,12 +10,14 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import AfterValidator, Discriminator, Field, Tag, ValidationInfo, field_validator
 
-from sss_ref.errors.wording import unmet
+from sss_ref.errors.wording import gibibytes, unmet, unmet_at
 from sss_ref.numerics.elementary import exp2_array
 from sss_ref.scene_file.color_texture import texture_size
 from sss_ref.scene_file.diffusion import Diffusion
 from sss_ref.scene_file.profiles import MaterialName
 from sss_ref.scene_file.quantities import (
+    MEMORY_LIMIT,
+    TEXEL_BYTES,
     Color,
     Count,
     Inset,
@@ -253,12 +255,18 @@ class SceneFile(Table):
             raise unmet('no layers with method = "texture_space"', remedy, str(len(layers)))
         return layers
 
-    @field_validator("output")  # the last table, so that all others are known
+    @field_validator("mesh")
     @classmethod
-    def _fits_memory(cls, output: Output, info: ValidationInfo) -> Output:
-        """Let `context["check_memory"]` judge the tables that are right, since only the passes know their buffers."""
-        if info.context:
-            pictures = info.data["mesh"].pictures if "mesh" in info.data else {}
-            sizes = {("mesh", key): texture_size(info.context["folder"] / path) for key, path in pictures.items()}
-            info.context["check_memory"](info.data, sizes)
-        return output
+    def _pictures_fit(cls, mesh: MeshSettings, info: ValidationInfo) -> MeshSettings:
+        """Refuse pictures that take more than MEMORY_LIMIT when they are decoded."""
+        sizes = {
+            key: texture_size(info.context["folder"] / path) for key, path in mesh.pictures.items() if info.context
+        }
+        needed = {key: TEXEL_BYTES * width * height for key, (width, height) in sizes.items()}
+        total = sum(needed.values())
+        if total > MEMORY_LIMIT:
+            largest = max(needed, key=lambda key: needed[key])
+            came = f"{gibibytes(total)}, {gibibytes(needed[largest])} of them here"
+            expected = f"at most {gibibytes(MEMORY_LIMIT)} of pictures"
+            raise unmet_at(("mesh", largest), expected, came, "scale the picture down")
+        return mesh

@@ -32,14 +32,15 @@ def test_codes_at_and_beyond_the_ends():
     assert srgb8(np.float32([0.5])).tolist() == [188]
 
 
+@pytest.mark.parametrize("height", [5, 39])  # fewer rows than are encoded at a time, and more
 @pytest.mark.parametrize("channels", [3, 4])
-def test_file_is_top_row_first_and_alpha_is_coverage(tmp_path, channels):
+def test_file_is_top_row_first_and_alpha_is_coverage(tmp_path, channels, height):
     generator = np.random.default_rng(1)
-    image = generator.random((5, 7, 3), np.float32)
-    coverage = generator.integers(0, 2, (5, 7), np.uint8)
+    image = generator.random((height, 7, 3), np.float32)
+    coverage = generator.integers(0, 2, (height, 7), np.uint8)
     write_png(tmp_path / "x.png", image, coverage if channels == 4 else None)
     pixels = imageio.imread(tmp_path / "x.png")
-    assert pixels.shape == (5, 7, channels)
+    assert pixels.shape == (height, 7, channels)
     assert np.array_equal(pixels[::-1, :, :3], srgb8(image))
     if channels == 4:
         assert np.array_equal(pixels[::-1, :, 3], coverage * 255)
