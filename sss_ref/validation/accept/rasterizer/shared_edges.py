@@ -31,10 +31,13 @@ def find_certain(found, corners, places, limit, ends):
         last = first
         while last < len(found.pixel) and found.pixel[last] == found.pixel[first]:
             last += 1
-        end = nearest_group(found, corners, places, first, min(last, first + MOST), group, edges)
+        end, alone = np.inf, True
         for k in range(first, last):
             if found.certain[k]:
                 end = min(end, found.high[k])
+            alone = alone and found.certain[k]
+        if not alone:  # nobody but pieces that are uncertain by themselves make a group that is certain
+            end = min(end, nearest_group(found, corners, places, first, min(last, first + MOST), group, edges))
         if end < limit:
             ends[found.pixel[first]] = end
         first = last

@@ -122,7 +122,8 @@ def visible(boxes: Boxes, draw: Draw, overlap: str, profile: Profile) -> Visible
     height, width = boxes.viewport.height, boxes.viewport.width
     found = candidates(boxes, turn, float(step_of(depth_storage(profile), np.ones(1))[0]))
     ends = certain_ends(boxes, found, turn, height * width)
-    found = Candidates(*(column[found.low <= ends[found.pixel]] for column in found))
+    in_front = found.low <= ends[found.pixel]
+    found = Candidates(*(column[in_front] for column in found))
     covered = np.full(height * width, MUST_NOT, np.uint8)
     covered[found.pixel] = MAY
     covered[np.isfinite(ends)] = MUST
