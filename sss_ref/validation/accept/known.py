@@ -119,10 +119,12 @@ def stacked(value: Any) -> np.ndarray:
 
 
 def _reach(exact: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    middle = exact.astype(np.float64)
+    reach, apart = np.zeros(exact.shape), (low != exact) | (high != exact)
+    middle = exact[apart].astype(np.float64)
     with np.errstate(invalid="ignore"):
-        reach = np.maximum(np.maximum(high - middle, middle - low), 0.0)
-    return np.nan_to_num(reach, nan=np.inf, posinf=np.inf)
+        off = np.maximum(np.maximum(high[apart] - middle, middle - low[apart]), 0.0)
+    reach[apart] = np.nan_to_num(off, nan=np.inf, posinf=np.inf)
+    return reach
 
 
 def _within_type(values: np.ndarray, dtype: np.dtype) -> np.ndarray:

@@ -117,7 +117,9 @@ def _checks_of_stages(case: Case, drawn: DrawnPass) -> Iterator[Check]:
 def _with_background(check: Check, outside: np.ndarray, clear: Any) -> Check:
     """The check of a buffer that holds a number, or one for each channel, where nothing is drawn: exactly that."""
     expected, reach = check.expected.copy(), check.reach.copy()
-    expected[outside], reach[outside] = clear, 0.0
+    beside = outside if expected.ndim == 2 else outside[..., None]
+    np.copyto(expected, clear, where=beside, casting="unsafe")
+    np.copyto(reach, 0.0, where=beside)
     return replace(check, expected=expected, reach=reach, outside=outside)
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sss_ref.validation.accept.rebased import Check
-from sss_ref.validation.verdict.outcomes import distance, in_any_channel
+from sss_ref.validation.verdict.outcomes import distance, in_any_channel, pixels_at
 from sss_ref.validation.verdict.pixel_text import pixel_text
 
 
@@ -47,6 +47,9 @@ def outside_and_wrong(check: Check) -> np.ndarray:
     """Bool (H, W): the pixels on which nothing is drawn and that hold something else than what they were cleared to."""
     found = np.zeros(check.where.shape, bool)
     if check.outside is not None:
-        expected, got, reach = (np.atleast_3d(each)[check.outside] for each in (check.expected, check.got, check.reach))
-        found[check.outside] = in_any_channel(~(distance(expected, got) <= reach))
+        arrays = check.expected, check.got, check.reach
+        apart = (check.expected != check.got).reshape(found.size, -1)
+        differs = check.outside & in_any_channel(apart).reshape(found.shape)
+        expected, got, reach = (pixels_at(each, differs) for each in arrays)
+        found[differs] = in_any_channel(~(distance(expected, got) <= reach))
     return found

@@ -13,6 +13,7 @@ OUTCOMES = ("certain", "ambiguous", "fail", "undefined", "unbounded")
 be, as after a division by 0 or a NaN in what was read; in reach because every number is that the buffer holds."""
 CERTAIN, AMBIGUOUS, FAIL, UNDEFINED, UNBOUNDED = range(len(OUTCOMES))
 NOT_COMPARED = 255
+WIDE = 0.4  # of what lies between two numbers: an interval that holds both reaches half as far
 
 
 @dataclass(frozen=True)
@@ -36,12 +37,13 @@ class Compared:
 
 def compared(check: Check) -> Compared:
     """The compared pixels and their outcomes; a NaN where only numbers are right is a failure."""
-    expected, got, reach = (np.atleast_3d(array)[check.where] for array in (check.expected, check.got, check.reach))
+    arrays = check.expected, check.got, check.reach
+    expected, got, reach = (pixels_at(array, check.where) for array in arrays)
     unbounded = np.isinf(reach)
     undefined = ~np.isfinite(expected) | unbounded & ~np.isfinite(got)
     outcome = np.full(len(got), CERTAIN, np.uint8)
     if check.undecided is not None:
-        outcome[check.undecided[check.where]] = AMBIGUOUS
+        outcome[pixels_at(check.undecided, check.where)[:, 0]] = AMBIGUOUS
     outcome[in_any_channel(unbounded) | _holds_all(expected, reach)] = UNBOUNDED
     outcome[in_any_channel(undefined)] = UNDEFINED
     differs = in_any_channel(bits(expected) != bits(got))
@@ -54,9 +56,12 @@ def _holds_all(expected: np.ndarray, reach: np.ndarray) -> np.ndarray:
     """Bool (N,): the pixels whose intervals hold 0 and every number of the buffer, in all channels: no test of it."""
     if expected.dtype.kind != "f" or not reach.any():
         return np.zeros(len(expected), bool)
-    numbers = np.where(np.isfinite(expected), expected, 0).astype(np.float64)
-    least, most = (end(numbers, axis=0, initial=0.0) for end in (np.min, np.max))
-    return ~in_any_channel((numbers - reach > least) | (numbers + reach < most)) & (most > least).any()
+    numbers = np.where(np.isfinite(expected), expected, np.float32(0))
+    least, most = (np.array([end(column, initial=0) for column in numbers.T], float) for end in (np.min, np.max))
+    found = ~in_any_channel(reach < WIDE * (most - least))
+    numbers, reach = numbers[found].astype(np.float64), reach[found]
+    found[found] = ~in_any_channel((numbers - reach > least) | (numbers + reach < most)) & (most > least).any()
+    return found
 
 
 def distance(a: np.ndarray, b: np.ndarray) -> np.ndarray:
@@ -67,7 +72,15 @@ def distance(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 def in_any_channel(holds: np.ndarray) -> np.ndarray:
     """Bool (N,), of bool (N, C); for so few channels faster than a reduction along the last axis."""
+    if not holds.any():
+        return np.zeros(len(holds), bool)
     return reduce(np.logical_or, holds.T)
+
+
+def pixels_at(array: np.ndarray, where: np.ndarray) -> np.ndarray:
+    """The pixels (N, C), row by row, of an array (H, W) or (H, W, C) that a mask, bool (H, W), chooses."""
+    pixels = array.reshape(where.size, -1)
+    return pixels if where.all() else pixels[np.flatnonzero(where)]
 
 
 def outcome_map(check: Check) -> np.ndarray:

@@ -122,11 +122,18 @@ def judged(check: Check, whereabouts: Whereabouts) -> Verdict:
         unbounded=pixels.count(UNBOUNDED),
         undefined=pixels.count(UNDEFINED),
         ulps=_ulps_off(pixels),
-        widths=widths_of(pixels.expected[defined], pixels.reach[defined]),
+        widths=_widths(pixels, defined),
         background=background_of(check),
         comparable=int(check.comparable.sum()),
     )
     return _with_wrong_pixels(verdict, check, pixels, whereabouts) if wrong.any() else verdict
+
+
+def _widths(pixels: Compared, defined: np.ndarray) -> Widths:
+    """The widths of the intervals of some pixels, bool (N,)."""
+    if defined.all():
+        return widths_of(pixels.expected, pixels.reach)
+    return widths_of(pixels.expected[defined], pixels.reach[defined])
 
 
 def _ulps_off(pixels: Compared) -> tuple[int, ...]:

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import reduce
 
 import numpy as np
 
@@ -30,7 +31,8 @@ def widths_of(expected: np.ndarray, reach: np.ndarray) -> Widths:
         return Widths((reach.size, *[0] * (len(WIDTH_CLASSES) - 1)), 0.0)
     open_ones = in_any_channel(reach > 0)
     width = in_ulps(2 * reach[open_ones], expected[open_ones], reach[open_ones]).reshape(-1)
-    counts = np.bincount(np.searchsorted(WIDTH_BOUNDS, width), minlength=len(WIDTH_CLASSES))
+    up_to = [np.count_nonzero(width <= bound) for bound in WIDTH_BOUNDS]
+    counts = np.diff([0, *up_to, width.size])
     exact = reach.size - width.size
     counts[0] += exact
     rank = math.ceil(NEARLY_ALL * reach.size) - exact  # among those that are not exact, the smallest being 1
@@ -45,7 +47,8 @@ def in_ulps(length: np.ndarray, expected: np.ndarray, reach: np.ndarray) -> np.n
     """
     if expected.dtype.kind != "f":
         return length
-    largest = np.minimum(np.abs(expected.astype(np.float64)).max(axis=-1, keepdims=True) + reach, LARGEST)
+    size = reduce(np.maximum, np.abs(expected).T).astype(np.float64)[:, None]
+    largest = np.minimum(size + reach, LARGEST)
     _, exponent = np.frexp(largest)
     with np.errstate(over="ignore"):
         return length / np.ldexp(1.0, np.maximum(exponent - 24, -149))

@@ -55,10 +55,14 @@ class Visible:
         """
         right, reach = self.accepted(dumped, depth), {}
         for name, holds in right.items():
+            ours, theirs = expected[name], dumped[name]
+            own = self._depth_reach(ours) if name == self.draw.depth else np.zeros(ours.shape)
+            other = ~holds | (ours != theirs)
             with np.errstate(invalid="ignore"):
-                apart = np.abs(dumped[name].astype(np.float64) - expected[name])
-            own = self._depth_reach(expected[name]) if name == self.draw.depth else np.zeros(apart.shape)
-            reach[name] = np.where(holds, np.fmax(own, apart), np.fmin(own, np.nextafter(apart, -1)))
+                apart = np.abs(theirs[other].astype(np.float64) - ours[other])
+            near = own[other]
+            own[other] = np.where(holds[other], np.fmax(near, apart), np.fmin(near, np.nextafter(apart, -1)))
+            reach[name] = own
         return reach
 
     def accepted(self, dumped: Buffers, depth: Interval | None) -> dict[str, np.ndarray]:
