@@ -28,6 +28,7 @@ OTHERS = {
         {**WIDE, "irradiance_map.width": 160, "irradiance_map.height": 96, "shadow_map.filter": "bilinear"},
     ),
     "figure3_with, separable": ("figure3_with", {"method": "separable"}),
+    "figure3_with, burley": ("figure3_with", {"method": "burley"}),
     "wedge, literal test, wide map": ("wedge", {**WIDE, "shadow_map.test": "literal", "shadow_map.filter": "bilinear"}),
 }
 

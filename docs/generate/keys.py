@@ -41,6 +41,9 @@ WORDS = {  # how a reader calls the type of a value
     + ", ".join(f'`"{name}"`' for name in get_args(get_args(scattering.KernelName)[0]))
     + ", or an array of `[X, Y, r, g, b]`",
     scattering.Profile: "one of " + ", ".join(f'`"{name}"`' for name in PROFILES) + ", or an array of `[v, r, g, b]`",
+    diffusion.Samples: f"whole number from 1 to {diffusion.MOST_TAPS}",
+    diffusion.ChannelShares: "`[r, g, b]`, each from 0 to 1",
+    diffusion.ChannelLengths: "`[r, g, b]`, each > 0",
     diffusion.Taps: f"odd whole number from 3 to {diffusion.MOST_TAPS}",
     mapping.Part: "text or whole number",
     mapping.ChannelNames: "text of single letters, or an array of names",

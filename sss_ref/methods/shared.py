@@ -88,7 +88,7 @@ def of_geometry(settings: SceneFile, stage: Stage) -> Stage:
 
 def is_wrapped(settings: SceneFile) -> bool:
     """Whether light from behind reaches every fragment: in the image `sqrt` of texture space it never does."""
-    in_image = settings.method == "screen_space" or settings.irradiance_map.image == "product"
+    in_image = not settings.in_texture_space or settings.irradiance_map.image == "product"
     return settings.translucency.combine == "transmit_wrapped" and in_image
 
 
@@ -99,7 +99,7 @@ def is_soft(settings: SceneFile) -> bool:
 
 def is_blended(settings: SceneFile) -> bool:
     """Whether the paper's two cases are blended at a soft edge, so that T is asked for where a point is lit too."""
-    return is_soft(settings) and settings.method == "screen_space" and settings.translucency.combine != "add"
+    return is_soft(settings) and not settings.in_texture_space and settings.translucency.combine != "add"
 
 
 def thickness_below(settings: SceneFile, kind: str) -> tuple[Stage, ...]:

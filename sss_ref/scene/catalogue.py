@@ -1,6 +1,7 @@
 """The methods by name: the paper's two, and the techniques that share its passes."""
 
 from sss_ref.language.pipeline import Method
+from sss_ref.methods.burley import burley
 from sss_ref.methods.parallel_views import with_parallel_rays
 from sss_ref.methods.published import printed_methods
 from sss_ref.methods.screen_space import screen_space
@@ -9,7 +10,7 @@ from sss_ref.methods.texture_space import texture_space
 from sss_ref.scene_file.settings import SceneFile
 
 METHODS = {"screen_space": screen_space, "texture_space": texture_space}
-TECHNIQUES = {"separable": separable}
+TECHNIQUES = {"separable": separable, "burley": burley}
 PUBLISHED = {"screen_space": printed_methods.screen_space, "texture_space": printed_methods.texture_space}
 
 

@@ -11,7 +11,7 @@ from sss_ref.mesh.stretch import stretch_of
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.methods.inner_body import OWN, inner
 from sss_ref.passes.light_uniforms import LightUniforms
-from sss_ref.scene.projected_kernel import projected_kernel
+from sss_ref.scene.spreading import spreading_of
 from sss_ref.scene_file.scattering import TranslucencySettings
 from sss_ref.scene_file.settings import MeshSettings, SceneFile
 from sss_ref.view.matrices import Matrix, Vector, mirrors, normal_matrix
@@ -32,7 +32,7 @@ def uniforms_of(
     Matrices are M[row][column], vectors (N,); uniform arrays have one row an element. constants: those that the method
     decides.
     """
-    taps = np.array(settings.blur.taps, np.float32)
+    taps, spreading = np.array(settings.blur.taps, np.float32), spreading_of(settings)
     values = {
         "world_from_model": world_from_model,
         "normal_from_model": normal_matrix(world_from_model),
@@ -42,7 +42,7 @@ def uniforms_of(
         "camera_position": camera.eye,
         "camera_clip_from_world": camera.clip_from(np.eye(4)),
         "camera_pixel_size": camera.pixel_size,
-        "ahead": _ahead(settings, camera),
+        "ahead": _ahead(settings, camera, spreading.get("reach_mm")),
         "mm_per_unit": settings.mm_per_unit,
         "camera_direction": camera.direction,
         "light_count": len(lights),
@@ -63,7 +63,7 @@ def uniforms_of(
         "mm_per_offset": settings.blur.mm_per_offset,
         "tap_offset": taps[:, :2],
         "tap_weight": taps[:, 2:],
-        **_of_diffusion(settings),
+        **spreading,
         "background": settings.output.background,
         **{f"{tap_name(number)}_offset": tap[:2] for number, tap in enumerate(taps)},
         **{f"{tap_name(number)}_weight": tap[2:] for number, tap in enumerate(taps)},
@@ -73,7 +73,7 @@ def uniforms_of(
     rounded = {name: np.array(value, np.float32, order="C") for name, value in values.items()}
     scalars = {name: value if value.ndim else value[()] for name, value in rounded.items()}
     counts = {"tap_count": len(taps), "gaussian_count": len(settings.translucency.terms)}
-    return {**scalars, **counts, "kernel_count": settings.diffusion.taps}
+    return {**scalars, **counts, "kernel_count": settings.diffusion.taps, "sample_count": settings.diffusion.samples}
 
 
 def _of_translucency(translucency: TranslucencySettings) -> dict[str, Any]:
@@ -91,24 +91,18 @@ def _of_translucency(translucency: TranslucencySettings) -> dict[str, Any]:
     return {**spread, "gaussian_variance": terms[:, 0], "gaussian_weight": terms[:, 1:]}
 
 
-def _of_diffusion(settings: SceneFile) -> dict[str, Any]:
-    """What the techniques read; nothing with the paper's methods."""
-    if settings.method != "separable":
-        return {}
-    place, weight = projected_kernel(settings.diffusion)
-    return {"kernel_place": place, "kernel_weight": weight, "reach_mm": settings.diffusion.reach_mm}
-
-
 def of_inner_body(uniforms: Mapping[str, Any]) -> dict[str, Any]:
     """Those that the inner body has for itself, from the uniforms of a scene of that body alone."""
     return {inner(name): value for name, value in uniforms.items() if name in OWN}
 
 
-def _ahead(settings: SceneFile, camera: View) -> Vector:
-    """The camera's direction divided by the kernel's reach in scene units; 0 for a kernel that reaches nowhere."""
-    blur = settings.blur
-    reach_mm = settings.diffusion.reach_mm if settings.method == "separable" else blur.reach * blur.mm_per_offset
-    reach = reach_mm / settings.mm_per_unit
+def _ahead(settings: SceneFile, camera: View, reach_mm: float | None) -> Vector:
+    """The camera's direction divided by the kernel's reach in scene units; 0 for a kernel that reaches nowhere.
+
+    reach_mm: that of a technique; without, it is that of the blur's taps.
+    """
+    own = settings.blur.reach * settings.blur.mm_per_offset
+    reach = (own if reach_mm is None else reach_mm) / settings.mm_per_unit
     return camera.direction / reach if reach > SHORTEST_REACH else np.zeros(3)
 
 

@@ -2,14 +2,17 @@
 
 from typing import Annotated
 
-from pydantic import field_validator
+from pydantic import Field, field_validator
 
 from sss_ref.errors.wording import unmet
 from sss_ref.scene_file.profiles import PROFILES, Gaussian, MaterialName
-from sss_ref.scene_file.quantities import Positive, Table, requiring
+from sss_ref.scene_file.quantities import Positive, Share, Table, requiring
 from sss_ref.scene_file.scattering import Profile
 
 MOST_TAPS = 255
+Samples = Annotated[int, requiring(lambda n: 1 <= n <= MOST_TAPS, f"a whole number from 1 to {MOST_TAPS}")]
+ChannelShares = Annotated[tuple[Share, Share, Share], Field(strict=False)]
+ChannelLengths = Annotated[tuple[Positive, Positive, Positive], Field(strict=False)]
 Taps = Annotated[int, requiring(lambda n: 3 <= n <= MOST_TAPS and n % 2 == 1, f"an odd number from 3 to {MOST_TAPS}")]
 
 
@@ -24,6 +27,21 @@ class Diffusion(Table):
     taps: Taps = 25
     """Taps of each of the two blurs of method "separable"."""
 
+    albedo: ChannelShares = (0.63, 0.44, 0.34)
+    """Share of red, green and blue light that leaves the body again, of method "burley"; this is skin2 of Jensen et al.
+    2001. The colour of the picture is mesh.color all the same."""
+    mean_free_path_mm: ChannelLengths = (0.907, 0.602, 0.517)
+    """Millimetres between two events of scattering or absorption for red, green and blue, 1/(a + s), of method
+    "burley"."""
+    samples: Samples = 64
+    """Samples around each pixel of method "burley"."""
+
+    @property
+    def scatter_distance(self) -> tuple[float, float, float]:
+        """The d of each channel in mm, l/s with s = 1.85 - A + 7*|A - .8|^3 (Christensen and Burley)."""
+        red, green, blue = map(_scatter_distance, self.albedo, self.mean_free_path_mm)
+        return red, green, blue
+
     @property
     def gaussians(self) -> tuple[Gaussian, ...]:
         """The rows (variance, red, green, blue) of the profile, as they are given."""
@@ -37,3 +55,8 @@ class Diffusion(Table):
                 expected = "weights that are not negative, and some above 0 in each channel"
                 raise unmet(expected, "change the rows", str(list(channel)))
         return profile
+
+
+def _scatter_distance(albedo: float, mean_free_path: float) -> float:
+    away = abs(albedo - 0.8)
+    return mean_free_path / (1.85 - albedo + 7.0 * (away * away * away))

@@ -199,9 +199,10 @@ class Output(Table):
 class SceneFile(Table):
     """A whole scene file with every key filled."""
 
-    method: Literal["screen_space", "texture_space", "separable"] = "screen_space"
+    method: Literal["screen_space", "texture_space", "separable", "burley"] = "screen_space"
     """Where the light is diffused: in the image (paper 2.1) or on the surface (paper 2.2); separable: in the image,
-    first along x, then along y (Jimenez et al. 2015)."""
+    first along x, then along y (Jimenez et al. 2015); burley: in the image, by normalized diffusion (Christensen and
+    Burley 2015)."""
     preset: Literal["paper", "robust", "published"] = "paper"
     """What fills the keys that are not given; published also has passes of its own."""
     material: MaterialName | None = None
@@ -232,6 +233,11 @@ class SceneFile(Table):
         return self.model_copy(
             update={"mesh": mesh, "phong": layer.phong, "translucency": layer.translucency, "layers": ()}
         )
+
+    @property
+    def in_texture_space(self) -> bool:
+        """Whether light is diffused on a map of the surface."""
+        return self.method == "texture_space"
 
     @property
     def glows(self) -> bool:

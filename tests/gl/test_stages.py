@@ -26,6 +26,7 @@ WITH_POWERS = {  # whose pow and exp are the GPU's own; all else is exact
     "light_inside",
     "seen_through",
     "gloss_soft",
+    "scatter_burley",
     "phong_ungated",
     "translucency_unclamped",
 }

@@ -65,3 +65,12 @@ def test_the_trace_tells_what_was_rendered(oracle):
 def test_the_figures_of_the_paper_have_its_own_methods_alone(technique):
     with pytest.raises(SceneError, match=f'preset: expected "paper" or "robust" with method = "{technique}"'):
         load_scene("sphere", preset="published", method=technique)
+
+
+@pytest.mark.parametrize("keys", [{}, {"translucency.combine": "transmit_wrapped", "shadow_map.test": "kernel"}])
+@pytest.mark.parametrize("name", ["separable", "burley"])
+def test_what_is_lit_is_what_the_papers_method_has(name, keys):
+    expected, found = (
+        render(of(name, method=each, preset="paper", **keys), keep="lit") for each in ("screen_space", name)
+    )
+    assert found.hashes == expected.hashes

@@ -18,7 +18,11 @@ ANOTHER = "choose another value"
 NUMBER = "write it without quotes, such as 1.5"
 ONLY_PUBLISHED, OR_THE_PRESET = 'expected another value without preset "published"', "choose one, or the preset"
 WRONG = [
-    ("method", "ray_tracing", 'expected "screen_space" or "texture_space", got "ray_tracing"; choose one of these'),
+    (
+        "method",
+        "ray_tracing",
+        'expected "screen_space", "texture_space", "separable" or "burley", got "ray_tracing"; choose one of these',
+    ),
     ("preset", "printed", 'expected "paper", "robust" or "published", got "printed"; choose one of these'),
     ("mm_per_unit", True, f"expected a number, got true; {NUMBER}"),
     ("mm_per_unit", "1", f'expected a number, got "1"; {NUMBER}'),

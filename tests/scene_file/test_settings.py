@@ -5,7 +5,14 @@ from sss_ref.scene_file.layers import filled
 from sss_ref.scene_file.settings import MeshSettings, SceneFile
 
 COMMON = {
-    "diffusion": {"profile": "skin", "reach_mm": 8.0, "taps": 25},
+    "diffusion": {
+        "profile": "skin",
+        "reach_mm": 8.0,
+        "taps": 25,
+        "albedo": (0.63, 0.44, 0.34),
+        "mean_free_path_mm": (0.907, 0.602, 0.517),
+        "samples": 64,
+    },
     "layers": (),
     "method": "screen_space",
     "material": None,

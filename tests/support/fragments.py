@@ -108,6 +108,12 @@ UNIFORMS: dict[str, Any] = {
         [[0.1, 0, 0.01], [0.2, 0.1, -0.1], [0.4, 0.8, 1], [0.2, 0.1, 0], [0, 0.1, 0]], np.float32
     ),
     "kernel_count": 5,
+    "sample_place": np.array([[0.01, 0.02], [-0.3, 0.4], [0.8, -0.5], [-1, 0.1]], np.float32),
+    "sample_radius": np.array([1e-3, 0.4, 2, 9], np.float32),
+    "sample_area": np.array([2e-3, 0.9, 7, 300], np.float32),
+    "sample_count": 4,
+    "scatter_distance": np.array([0.7, 0.3, 1e-4], np.float32),
+    "reach_mm": np.float32(9),
     "pixel_scale": np.float32(1),
     "offset": np.array([-1.3, 2.6], np.float32),
     "weight": np.array([0.3, 0.2, 0.1], np.float32),
@@ -156,6 +162,7 @@ VARIANTS: dict[str, list[dict[str, Any]]] = {  # stage -> further uniforms to ru
     "scatter_inside": BLUR,
     "scatter_on_surface": BLUR,
     "scatter_inside_surface": BLUR,
+    "scatter_burley": [{"sample_count": 1}],
     "scatter_rows": [LONE_PLACE],
     "scatter_columns": [LONE_PLACE],
 }

@@ -599,6 +599,40 @@ def scatter_columns(
     return _scatter_along(1, scattered_rows, coverage, position_world, pixel, *kernel, pixels_per_offset, ahead)
 
 
+def _normalized_diffusion(distance, d):
+    third = correctly_rounded(gmpy2.exp, -distance / (F(3) * d))
+    return (third * third * third + third) / (d * distance)
+
+
+def scatter_burley(
+    lit,
+    coverage,
+    position_world,
+    pixel,
+    sample_place,
+    sample_radius,
+    sample_area,
+    sample_count,
+    scatter_distance,
+    reach_mm,
+    pixels_per_offset,
+    ahead,
+):
+    here, total, whole = position_world[pixel[1], pixel[0]], [F(-0.0)] * 3, [F(-0.0)] * 3
+    for k in range(sample_count):
+        column, row = (
+            pixel[axis] + int(np.floor(sample_place[k][axis] * pixels_per_offset + F(0.5))) for axis in (0, 1)
+        )
+        depth = dot(minus(fetch(position_world, column, row), here), ahead) * reach_mm
+        distance = np.sqrt(sample_radius[k] * sample_radius[k] + depth * depth)
+        area = sample_area[k] * F(bool(fetch(coverage, column, row)[0]))
+        weight = [_normalized_diffusion(distance, d) * area for d in scatter_distance]
+        total = added(total, times(fetch(lit, column, row), weight))
+        whole = added(whole, weight)
+    own = lit[pixel[1], pixel[0]]
+    return ([own[k] if whole[k] == 0 else total[k] / whole[k] for k in range(3)],)
+
+
 # Composite
 
 

@@ -7,17 +7,17 @@ SIDES = {**MAPS, "camera.width": 48, "camera.height": 48}
 TWO_LIGHTS = [{"position": [2.4, 1.5, 1.5]}, {"type": "directional", "position": [-4.0, 3.0, 2.0]}]
 SCENES = {  # technique -> what its scene has of its own
     "separable": {"diffusion.taps": 9},
+    "burley": {"diffusion.samples": 16},
 }
 MISTAKES = {  # technique -> keys of a scene that computes something else, and the stage where it first does
     "separable": ({"diffusion.profile": "milk"}, "scatter_rows"),
+    "burley": ({"diffusion.mean_free_path_mm": [0.907, 0.3, 0.517]}, "scatter_burley"),
 }
 
 
 def of(technique, **given):
     """The bust, small, by a technique."""
+    sizes = MAPS if "camera" in given else SIDES
     return load_scene(
-        "figure3_with",
-        method=technique,
-        preset="robust",
-        **{**(SIDES if "camera" not in given else MAPS), **SCENES[technique], **given},
+        "figure3_with", **{"method": technique, "preset": "robust", **sizes, **SCENES[technique], **given}
     )
