@@ -24,7 +24,19 @@ STAGES = all_stages()
 
 ROOMS = [  # from the ground up: whoever stands higher imports from those below
     *("rules", "errors", "cache", "numerics", "language", "scene_file", "view", "mesh", "passes", "methods", "raster"),
-    *("interpret", "scene", "rendering", "pictures", "results", "batch", "dump", "explanation", "bundle", "validation"),
+    *(
+        "interpret",
+        "scene",
+        "rendering",
+        "pictures",
+        "results",
+        "batch",
+        "dump",
+        "truth",
+        "explanation",
+        "bundle",
+        "validation",
+    ),
     *("gl", "webgl", "cli", "pytest_plugin"),
 ]
 BACK_DOORS = {("sss_ref.rendering.result", "results")}  # Result.save
