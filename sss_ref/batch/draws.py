@@ -156,7 +156,9 @@ Listed = Annotated[list[Any], requiring(lambda values: 1 <= len(values) <= MOST,
 
 
 def form_of(value: Any) -> str:
-    """Which form a key's values are given in: a list, spaced, or the name of a distribution."""
+    """Which form a key's values have, in a file or read from it: a list, spaced, or the name of a distribution."""
+    if isinstance(value, Table):
+        return str(getattr(value, "random", "spaced"))
     return str(value.get("random", "spaced")) if isinstance(value, dict) else "list"
 
 

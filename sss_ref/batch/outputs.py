@@ -11,9 +11,10 @@ from sss_ref.results.saving import preview, write_buffers_exr
 
 
 def write_outputs(result: Result, outputs: tuple[str, ...], folder: Path) -> None:
-    """Write a rendering into an item's folder, in each of the formats that are asked for."""
+    """Write a rendering into an item's folder, in each of the formats that are asked for and lie there."""
     for name in outputs:
-        WRITERS[name](result, folder)
+        if name in WRITERS:
+            WRITERS[name](result, folder)
 
 
 def _write_picture(result: Result, folder: Path) -> None:

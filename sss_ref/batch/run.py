@@ -6,6 +6,7 @@ from pathlib import Path
 
 from sss_ref.batch.batch_folder import claim
 from sss_ref.batch.executors import ItemExecutor, serially
+from sss_ref.batch.item_arrays import check_zarr
 from sss_ref.batch.plan import WHOLE, Plan, Shard
 from sss_ref.batch.sweep_file import Sweep
 from sss_ref.batch.table import write_table
@@ -50,6 +51,7 @@ def run(
     for a folder that is not that of a batch with the same outputs; what is wrong with a single item is in its outcome.
     """
     plan = Plan(sweep)
+    check_zarr(sweep)
     folder = claim(folder, sweep)
     job, found = Job(sweep, folder, execution.interpreter, execution.threads), []
     for outcome in execution.executor(job, shard.of(len(plan))):

@@ -22,7 +22,7 @@ from sss_ref.errors.wording import described
 from sss_ref.scene_file.quantities import Table, requiring
 from sss_ref.scene_file.shipped import scene_names
 
-OutputName = Literal["png", "npz", "exr"]
+OutputName = Literal["png", "npz", "exr", "zarr"]
 Outputs = Annotated[
     tuple[OutputName, ...],
     Field(strict=False),
@@ -45,7 +45,8 @@ class Sweep(Table):
     seed: Annotated[int, requiring(lambda n: n >= 0, "a whole number >= 0")] = 0
     """Of the random keys."""
     outputs: Outputs = ("png",)
-    """png: image.png. npz: buffers.npz, row 0 at the bottom. exr: buffers.exr, a part for each buffer."""
+    """png: image.png. npz: buffers.npz, row 0 at the bottom. exr: buffers.exr, a part for each buffer.
+    zarr: one store for all items, an array for each buffer."""
     keep: Names = ("final",)
     """Names of the buffers that are kept and hashed, or "final", the image, or "all"."""
     set: dict[str, Any] = Field(default_factory=dict)

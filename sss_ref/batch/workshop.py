@@ -7,6 +7,7 @@ from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Literal
 
+from sss_ref.batch.item_arrays import ItemArrays
 from sss_ref.batch.item_folder import RECORD, ItemRecord, item_folder, item_name, read_record, record_of
 from sss_ref.batch.outputs import write_outputs
 from sss_ref.batch.plan import Plan
@@ -68,6 +69,7 @@ class Workshop:
         self.job = job
         self.plan = Plan(job.sweep)
         self.mesh = lru_cache(MESHES)(read_mesh)
+        self.arrays = ItemArrays(job.folder, len(self.plan)) if "zarr" in job.sweep.outputs else None
 
     @cached_property
     def document(self) -> Document:
@@ -82,13 +84,15 @@ class Workshop:
         name = item_name(scene, inputs)
         folder = item_folder(job.folder, name)
         found = read_record(folder)
-        if found:
+        if found and (self.arrays is None or self.arrays.holds(item, name)):
             return _outcome(item, "there", name, found)
         start = time.perf_counter()
         result = render(scene, job.interpreter, job.threads, job.sweep.keep)
         record = record_of(result, inputs, time.perf_counter() - start)
         with appearing(folder) as part:
             write_outputs(result, job.sweep.outputs, part)
+            if self.arrays:
+                self.arrays.write(item, name, result.buffers)
             (part / RECORD).write_text(record.model_dump_json(indent=2) + "\n", encoding="utf-8")
         return _outcome(item, "rendered", name, record)
 

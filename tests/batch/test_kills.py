@@ -7,12 +7,14 @@ import signal
 import subprocess
 import sys
 import time
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
 from data_folder import TETRAHEDRON
 from small_batches import items_of
 
+from sss_ref.batch.item_arrays import NAMES, STORE
 from sss_ref.batch.item_folder import ItemRecord
 from sss_ref.batch.run import BatchExecution, run
 from sss_ref.batch.sweep_file import read_sweep
@@ -21,7 +23,8 @@ pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="fi
 
 SWEEP = """
 scene = "scene.toml"
-outputs = ["png", "npz"]
+outputs = {outputs}
+keep = ["image", "thickness"]
 repeat = {items}
 set = {{camera = {{width = 24, height = 16}}, shadow_map = {{width = 24, height = 24}}}}
 vary."camera.azimuth" = {{random = "uniform", low = 0, high = 360}}
@@ -31,6 +34,7 @@ mesh = {path = "tetrahedron.obj"}
 camera = {type = "orbit", distance = 5}
 lights = [{position = [0, 0, 9]}]
 """
+OUTPUTS = ["png", "npz", *(["zarr"] if find_spec("zarr") else [])]
 MOST_BETWEEN = 60  # items from one kill to the next
 MOMENT = 0.02  # seconds from an item to the kill, of about the time that an item takes
 PATIENCE = 300.0  # seconds, on a machine that has much else to do
@@ -98,23 +102,36 @@ def without_times(files):
     return {**files, "item.json": {**record, "seconds": None}}
 
 
+def whole_items(folder):
+    """Number -> bytes of each chunk, of the items of a batch's Zarr store that say that they are complete."""
+    chunks = {path: path.read_bytes() for path in sorted((folder / STORE).glob("*/c.*")) if path.suffix != ".partial"}
+    found = {}
+    for path, content in chunks.items():
+        found.setdefault(int(path.name.split(".")[1]), {})[path.parent.name] = content
+    return {item: arrays for item, arrays in found.items() if any(arrays.get(NAMES, b""))}
+
+
 def check_kills(folder, kills, items, seed):
     (folder / "scene.toml").write_text(SCENE)
     (folder / "tetrahedron.obj").write_text(TETRAHEDRON)
     sweep = folder / "sweep.toml"
-    sweep.write_text(SWEEP.format(items=items))
+    sweep.write_text(SWEEP.format(items=items, outputs=OUTPUTS))
     run(read_sweep(sweep), folder / "whole", BatchExecution(interpreter="arrays", threads=1))
     expected = {name: without_times(files) for name, files in items_of(folder / "whole").items()}
-    assert len(expected) == items
+    expected_arrays = whole_items(folder / "whole")
+    assert len(expected) == items and len(expected_arrays) == (items if "zarr" in OUTPUTS else 0)
     draw, outs = random.Random(seed), folder / "killed"
     for number in range(kills):
         killed_once(sweep, outs, draw, whole=number % 2 == 0)
         found = items_of(outs)
         assert {name: without_times(files) for name, files in found.items()} == {name: expected[name] for name in found}
+        arrays = whole_items(outs)
+        assert arrays == {item: expected_arrays[item] for item in arrays}
     last = begun(sweep, outs)
     _, told = last.communicate(timeout=PATIENCE)
     assert last.returncode == 0, told
     assert {name: without_times(files) for name, files in items_of(outs).items()} == expected
+    assert whole_items(outs) == expected_arrays
     with (outs / "items.csv").open(newline="") as file:
         assert {row["state"] for row in csv.DictReader(file)} == {"rendered", "there"}
     # What was in flight is cleared away, but for an emptied place of an item that was complete when it was killed.

@@ -52,7 +52,7 @@ def test_a_shipped_scene_stays_a_name(tmp_path):
         ({"vary": {"a": {"first": 0, "last": 1}}}, "sweep: vary.a.count: expected a value, got nothing"),
         ({"vary": {"a": [1]}, "outputs": []}, "sweep: outputs: expected one or several outputs, each once, got []"),
         ({"vary": {"a": [1]}, "outputs": ["png", "png"]}, "sweep: outputs: expected one or several outputs, each once"),
-        ({"vary": {"a": [1]}, "outputs": ["jpg"]}, 'sweep: outputs[0]: expected "png", "npz" or "exr", got "jpg"'),
+        ({"vary": {"a": [1]}, "outputs": ["jpg"]}, 'outputs[0]: expected "png", "npz", "exr" or "zarr", got "jpg"'),
         ({"vary": {"a": [1]}, "repeat": 0}, "sweep: repeat: expected a whole number from 1 to 10^9, got 0"),
         ({"vary": {"a": [1]}, "seed": -1}, "sweep: seed: expected a whole number >= 0, got -1"),
         ({"vary": {"a": [1]}, "combin": "zip"}, "combin: expected a known key, got this one; did you"),
