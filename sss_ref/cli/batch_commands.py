@@ -39,6 +39,9 @@ def batch(
     shard: Annotated[
         str | None, Parameter(show_default=False, help="Render this part of the items alone, such as 3/10.")
     ] = None,
+    dask: Annotated[
+        str | None, Parameter(show_default=False, help="Render by the workers of the Dask cluster at this address.")
+    ] = None,
     video: Annotated[
         int | None, Parameter(show_default=False, help="Make films of the pictures in order, so many a second.")
     ] = None,
@@ -54,7 +57,12 @@ def batch(
     wanted = read_sweep(sweep)
     if video is not None:
         _check_film(video, wanted.outputs)
-    done = _run(wanted, output, Shard.parsed(shard) if shard else WHOLE, jobs, execution)
+    if dask is not None and jobs is not None:
+        raise SceneError("--dask: expected without --jobs, got both; the cluster knows how many workers it has")
+    part = Shard.parsed(shard) if shard else WHOLE
+    done = (
+        _run_on_cluster(wanted, output, part, dask, execution) if dask else _run(wanted, output, part, jobs, execution)
+    )
     code = _told(done)
     if video is not None:
         _film(wanted, done, "batch", video)
@@ -96,6 +104,17 @@ def _run(wanted: "Sweep", output: Path, part: "Shard", jobs: int | None, executi
     announce_compilation(execution)
     executor, threads = _executor(jobs, items, execution.threads)
     with _progress(items) as tell:
+        return run(wanted, output, BatchExecution(executor, execution.interpreter, threads), part, tell)
+
+
+def _run_on_cluster(wanted: "Sweep", output: Path, part: "Shard", address: str, execution: Execution) -> "Batch":
+    """The same by the workers of a cluster, of one thread each unless told otherwise."""
+    from sss_ref.batch.cluster import on_cluster
+    from sss_ref.batch.plan import Plan
+    from sss_ref.batch.run import BatchExecution, run
+
+    with on_cluster(address) as executor, _progress(len(part.of(len(Plan(wanted))))) as tell:
+        threads = execution.threads or 1
         return run(wanted, output, BatchExecution(executor, execution.interpreter, threads), part, tell)
 
 
