@@ -119,6 +119,20 @@ def test_a_batch_makes_a_film_of_what_did_not_fail(sweep, capsys):
         assert (gif.n_frames, gif.info["duration"]) == (2, 100)
 
 
+def test_a_light_stage_is_asked_for_beside_a_sweep(sweep, tmp_path, capsys):
+    (tmp_path / sweep).write_text(SWEEP.partition("[vary]")[0])
+    few = ["--jobs", "1", "--interpreter", "arrays"]
+    assert main(["batch", sweep, "-o", "out", "--olat", "3", *few]) == 0
+    assert capsys.readouterr().out.startswith("3 rendered, 0 were there, 0 failed: ")
+    assert {"items.csv", "transforms.json"} < {*os.listdir("out")}
+
+
+def test_a_caption_has_the_numbers_of_a_light():
+    lights = [{"type": "directional", "azimuth": 137.507, "elevation": 54.3, "intensity": 1.0}]
+    assert batch_commands._short(lights) == "[137.5, 54.3, 1]"
+    assert batch_commands._short([0.5, [1, "a"]]) == "[0.5, [1, a]]"
+
+
 def test_a_film_needs_pictures_and_a_rate(sweep, tmp_path, capsys):
     assert main(["batch", sweep, "-o", "out", "--video", "0"]) == 2
     assert "pictures per second: expected 1 to 100, got 0" in capsys.readouterr().err

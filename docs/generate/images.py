@@ -11,6 +11,7 @@ import numpy as np
 from PIL import Image
 
 import sss_ref
+from sss_ref.cli import main
 from sss_ref.pictures.overview import write_overview
 from sss_ref.pictures.png_file import encoding_of, write_png
 from sss_ref.rendering.samples import render_samples
@@ -84,12 +85,23 @@ def kernel(path: Path) -> None:
     path.write_bytes(figures.png_of(figure))
 
 
+def relighting(path: Path) -> None:
+    """The sweep of the page on relighting, as its contact sheet shows it."""
+    text = (ROOT / "docs" / "how_to" / "relighting.md").read_text()
+    with TemporaryDirectory() as folder:
+        sweep = Path(folder, "candle.toml")
+        sweep.write_text(text.partition("```toml\n")[2].partition("```")[0])
+        main(["batch", str(sweep), "-o", f"{folder}/candle", "--video", "8", "--jobs", "1"])
+        Image.open(f"{folder}/candle/contact_sheet.png").save(path, optimize=True)
+
+
 PICTURES = {
     "poster.png": poster,
     "overview.jpg": overview,
     "validation.png": validation,
     "gallery.png": gallery,
     "kernel.png": kernel,
+    "relighting.png": relighting,
 }
 
 

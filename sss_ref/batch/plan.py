@@ -27,6 +27,11 @@ class Shard:
             raise SceneError(f"--shard: expected NUMBER/COUNT, NUMBER from 1 to COUNT, got {text!r}; write it as 3/10")
         return cls(int(number), int(count))
 
+    @property
+    def suffix(self) -> str:
+        """What the names of files of this part alone end in."""
+        return "" if self.count == 1 else f"-{self.number}-of-{self.count}"
+
     def of(self, items: int) -> range:
         """The numbers of its items, of so many in all."""
         return range(self.number - 1, items, self.count)

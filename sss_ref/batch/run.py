@@ -10,6 +10,7 @@ from sss_ref.batch.item_arrays import check_zarr
 from sss_ref.batch.plan import WHOLE, Plan, Shard
 from sss_ref.batch.sweep_file import Sweep
 from sss_ref.batch.table import write_table
+from sss_ref.batch.transforms import write_transforms
 from sss_ref.batch.workshop import ItemOutcome, Job
 
 
@@ -20,6 +21,7 @@ class Batch:
     folder: Path
     outcomes: tuple[ItemOutcome, ...]  # in the order of the items
     tables: tuple[Path, ...]
+    cameras: Path | None = None
 
     def of_state(self, state: str) -> list[ItemOutcome]:
         """The items that were "rendered", "there" or "failed"."""
@@ -57,5 +59,7 @@ def run(
     for outcome in execution.executor(job, shard.of(len(plan))):
         on_outcome(outcome)
         found.append(outcome)
+    found.sort(key=lambda each: each.item)
     tables = write_table(folder, plan, found, shard)
-    return Batch(folder, tuple(sorted(found, key=lambda each: each.item)), tuple(tables))
+    cameras = write_transforms(folder, found, shard) if sweep.cameras else None
+    return Batch(folder, tuple(found), tuple(tables), cameras)

@@ -13,12 +13,14 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, Field, ValidationError
+from pydantic import BaseModel, Field, ValidationError, ValidationInfo, field_validator
 
 from sss_ref.batch import draws
+from sss_ref.batch.light_stage import LightStage
 from sss_ref.errors import SceneError
 from sss_ref.errors.text_file import toml_of
-from sss_ref.errors.wording import described
+from sss_ref.errors.wording import described, unmet
+from sss_ref.scene_file.layers import laid
 from sss_ref.scene_file.quantities import Table, requiring
 from sss_ref.scene_file.shipped import scene_names
 
@@ -29,7 +31,11 @@ Outputs = Annotated[
     requiring(lambda names: len(set(names)) == len(names) > 0, "one or several outputs, each once"),
 ]
 Names = Annotated[tuple[str, ...], Field(strict=False), requiring(len, "at least one name")]
-Varied = Annotated[dict[str, draws.Values], requiring(len, "at least one key to vary", "add it")]
+OLAT = {  # what a light stage has unless the file says otherwise
+    "outputs": ["png", "npz"],
+    "keep": ["image", "coverage", "position_world", "normal_world", "albedo", "thickness"],
+    "cameras": True,
+}
 
 
 class Sweep(Table):
@@ -44,16 +50,44 @@ class Sweep(Table):
     """How often the grid is gone through, for keys that are drawn at random."""
     seed: Annotated[int, requiring(lambda n: n >= 0, "a whole number >= 0")] = 0
     """Of the random keys."""
+    olat: LightStage | None = None
+    """One light at a time, instead of the scene's; its values become those of the key `lights`, the fastest."""
     outputs: Outputs = ("png",)
     """png: image.png. npz: buffers.npz, row 0 at the bottom. exr: buffers.exr, a part for each buffer.
     zarr: one store for all items, an array for each buffer."""
     keep: Names = ("final",)
     """Names of the buffers that are kept and hashed, or "final", the image, or "all"."""
+    cameras: bool = False
+    """Whether transforms.json is written: the cameras in the form that nerfstudio reads."""
     set: dict[str, Any] = Field(default_factory=dict)
     """One value for all items."""
-    vary: Varied
+    vary: dict[str, draws.Values] = Field(default_factory=dict)
     """Of each key an array of values; or {first, last, count}, evenly spaced; or {random = "uniform", low, high},
     "log_uniform" or "integer" likewise, {random = "choice", values}, {random = "sphere", radius, center}."""
+
+    @field_validator("cameras")
+    @classmethod
+    def _of_pictures(cls, cameras: bool, info: ValidationInfo) -> bool:
+        if cameras and "png" not in info.data.get("outputs", ("png",)):
+            raise unmet('false without the output "png"', "add it to outputs")
+        return cameras
+
+    @field_validator("vary")
+    @classmethod
+    def _with_lights(cls, vary: dict[str, Any], info: ValidationInfo) -> dict[str, Any]:
+        stage = info.data.get("olat")
+        if stage is None:
+            return _not_empty(vary, info)
+        given = [key for key in (*info.data.get("set", {}), *vary) if key.partition(".")[0] == "lights"]
+        if given:
+            raise unmet(f"no {given[0]} beside olat", "remove one of the two", "both")
+        return {**vary, "lights": stage.lights(info.data.get("seed", 0))}
+
+
+def _not_empty(vary: dict[str, Any], info: ValidationInfo) -> dict[str, Any]:
+    if not vary and "olat" in info.data:  # otherwise it is wrong, which is told
+        raise unmet("at least one key to vary", "add it")
+    return vary
 
 
 TABLES: dict[str, type[BaseModel]] = {
@@ -66,9 +100,14 @@ TABLES: dict[str, type[BaseModel]] = {
 }
 
 
-def read_sweep(path: Path) -> Sweep:
-    """The sweep in a file, its scene's path made absolute. Raises SceneError, which lists all that is wrong."""
+def read_sweep(path: Path, lights: int | None = None) -> Sweep:
+    """The sweep in a file, its scene's path made absolute. Raises SceneError, which lists all that is wrong.
+
+    lights: olat.count, instead of what the file has.
+    """
     data = toml_of(path, "a sweep file", SceneError)
+    if lights is not None:
+        data["olat"] = laid(data.get("olat", {}), {"count": lights})
     sweep = checked_sweep(data, str(path))
     if sweep.scene in scene_names():
         return sweep
@@ -77,7 +116,7 @@ def read_sweep(path: Path) -> Sweep:
 
 def checked_sweep(data: Mapping[str, Any], source: str) -> Sweep:
     """The sweep in tables as a file has them. source: what messages call it. Raises SceneError."""
-    given = dict(data)
+    given = {**OLAT, **data} if "olat" in data else dict(data)
     for name, is_whole in (("set", _is_plain), ("vary", _is_values)):
         if isinstance(given.get(name), Mapping):
             given[name] = dict(_dotted(given[name], is_whole))
@@ -113,8 +152,8 @@ def _problems(error: ValidationError) -> Iterator[str]:
         place, known = details["loc"], Sweep.model_fields
         if len(place) > 3 and place[0] == "vary":  # pydantic inserts the name of the form
             known = TABLES[str(place[2])].model_fields
-        elif place[0] == "vary":
-            known = {}
+        elif place[0] in ("vary", "olat"):
+            known = LightStage.model_fields if place[0] == "olat" else {}
         shortened = details.copy()
         shortened["loc"] = (*place[:2], *place[3:]) if place[0] == "vary" else place
         yield described(shortened, known)[1]

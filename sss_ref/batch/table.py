@@ -24,11 +24,10 @@ def write_table(folder: Path, plan: Plan, outcomes: Iterable[ItemOutcome], shard
     """
     rows = [row(plan, each) for each in sorted(outcomes, key=lambda each: each.item)]
     columns = _columns(plan, rows)
-    stem = "items" if shard == WHOLE else f"items-{shard.number}-of-{shard.count}"
-    files = [folder / f"{stem}.csv"]
+    files = [folder / f"items{shard.suffix}.csv"]
     write_whole(files[0], _csv(columns, rows))
     if find_spec("pyarrow"):
-        files.append(folder / f"{stem}.parquet")
+        files.append(folder / f"items{shard.suffix}.parquet")
         _write_parquet(files[1], columns, rows)
     return files
 

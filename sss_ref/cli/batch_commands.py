@@ -39,6 +39,9 @@ def batch(
     shard: Annotated[
         str | None, Parameter(show_default=False, help="Render this part of the items alone, such as 3/10.")
     ] = None,
+    olat: Annotated[
+        int | None, Parameter(show_default=False, help="Light it by one light at a time, from so many directions.")
+    ] = None,
     dask: Annotated[
         str | None, Parameter(show_default=False, help="Render by the workers of the Dask cluster at this address.")
     ] = None,
@@ -54,7 +57,7 @@ def batch(
     from sss_ref.batch.plan import WHOLE, Shard
     from sss_ref.batch.sweep_file import read_sweep
 
-    wanted = read_sweep(sweep)
+    wanted = read_sweep(sweep, olat)
     if video is not None:
         _check_film(video, wanted.outputs)
     if dask is not None and jobs is not None:
@@ -144,9 +147,11 @@ def _film(wanted: "Sweep", done: "Batch", stem: str, rate: int) -> None:
 
 
 def _short(value: object) -> str:
-    """A value as a caption has it."""
+    """A value as a caption has it; of a table its numbers."""
+    if isinstance(value, dict):
+        value = [each for each in value.values() if isinstance(each, int | float)]
     if isinstance(value, list):
-        return f"[{', '.join(map(_short, value))}]"
+        return _short(value[0]) if len(value) == 1 else f"[{', '.join(map(_short, value))}]"
     return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
@@ -194,7 +199,8 @@ def _told(done: "Batch") -> int:
         more = f" and {count - SHOWN_ITEMS} more" if count > SHOWN_ITEMS else ""
         err.print(f"[red]failed: item {', '.join(items[:SHOWN_ITEMS])}{more}:[/] {escape(message)}")
     states = ", ".join(f"{len(done.of_state(state))} {said}" for state, said in STATES.items())
-    out.print(f"{states}: {escape(str(done.tables[0]))}")
+    files = ", ".join(str(path) for path in (done.tables[0], done.cameras) if path)
+    out.print(f"{states}: {escape(files)}")
     return SOME_FAILED if failed else 0
 
 

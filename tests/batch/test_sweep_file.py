@@ -41,7 +41,7 @@ def test_a_shipped_scene_stays_a_name(tmp_path):
 @pytest.mark.parametrize(
     "data, message",
     [
-        ({}, "sweep: vary: expected a value, got nothing; add it"),
+        ({}, "sweep: vary: expected at least one key to vary, got {}; add it"),
         ({"vary": {}}, "sweep: vary: expected at least one key to vary, got {}; add it"),
         ({"vary": {"a": 3}}, 'sweep: vary.a: expected an array'),
         ({"vary": {"a": []}}, "sweep: vary.a: expected 1 to 1000000 values, got []; choose another value"),
@@ -56,6 +56,14 @@ def test_a_shipped_scene_stays_a_name(tmp_path):
         ({"vary": {"a": [1]}, "repeat": 0}, "sweep: repeat: expected a whole number from 1 to 10^9, got 0"),
         ({"vary": {"a": [1]}, "seed": -1}, "sweep: seed: expected a whole number >= 0, got -1"),
         ({"vary": {"a": [1]}, "combin": "zip"}, "combin: expected a known key, got this one; did you"),
+        ({"vary": {"a": [1]}, "cameras": True, "outputs": ["npz"]}, 'cameras: expected false without the output "png"'),
+        ({"olat": 3}, "sweep: olat: expected a table, got 3"),
+        ({"olat": {}}, "sweep: olat.count: expected a value, got nothing; add it"),
+        ({"olat": {"coutn": 3}}, "olat.coutn: expected a known key, got this one; did you mean count?"),
+        ({"olat": {"count": 0}}, "sweep: olat.count: expected a whole number from 1 to 10000, got 0"),
+        ({"olat": {"count": 2, "distance": 0}}, "sweep: olat.distance: expected a number > 0"),
+        ({"olat": {"count": 2}, "vary": {"lights": {"0": {"intensity": [1]}}}}, "no lights.0.intensity beside olat"),
+        ({"olat": {"count": 2}, "set": {"lights": {"0": {"near": 1}}}}, "expected no lights.0 beside olat, got both"),
         ({"vary": {"a": [1]}, "set": 3}, "sweep: set: expected a table"),
     ],
 )  # fmt: skip
@@ -68,3 +76,21 @@ def test_what_is_wrong_is_told_by_key(data, message):
 def test_a_file_that_is_not_there(tmp_path):
     with pytest.raises(SceneError, match=r"no.toml: expected a sweep file, got No such file"):
         read_sweep(tmp_path / "no.toml")
+
+
+def test_a_light_stage_says_what_a_learner_needs_unless_told_otherwise():
+    sweep = checked_sweep({"olat": {"count": 3}}, "sweep")
+    assert sweep.outputs == ("png", "npz") and sweep.cameras
+    assert {"position_world", "normal_world", "albedo", "thickness", "image"} < set(sweep.keep)
+    assert list(sweep.vary) == ["lights"] and len(sweep.vary["lights"]) == 3
+    told = checked_sweep({"olat": {"count": 3}, "keep": ["final"], "cameras": False, "vary": {"a": [1, 2]}}, "sweep")
+    assert told.keep == ("final",) and not told.cameras and list(told.vary) == ["a", "lights"]
+
+
+def test_how_many_lights_can_be_told_beside_the_file(tmp_path):
+    path = tmp_path / "sweep.toml"
+    path.write_text('scene = "small"\n[olat]\ncount = 3\nintensity = 2.0')
+    stage = read_sweep(path, 5).olat
+    assert (stage.count, stage.intensity) == (5, 2.0)
+    path.write_text('scene = "small"')
+    assert len(read_sweep(path, 5).vary["lights"]) == 5
