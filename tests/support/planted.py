@@ -288,6 +288,8 @@ def vertex(name, change, where="camera"):
 
 
 CAMERA, LIGHT = "camera_clip_from_model", "light_clip_from_model"
+JITTER = moved_in_clip_space(0.62 / 48, -0.34 / 48)  # of 48 pixels 0.31 and 0.17
+JITTERED = "pixels too far right and .* pixels too far down.* left in"
 IDENTITY = np.eye(4)
 
 PLANTED = [
@@ -354,12 +356,11 @@ PLANTED = [
         "viewport",
         lacks=NUMBERS,
     ),
-    Planted(
-        "jitter left in",
-        vertex(CAMERA, moved_in_clip_space(0.5 / 64, -0.25 / 64)),
-        "0\\.25 .*right.*0\\.125 .*down|jitter",
-        lacks=NUMBERS,
-    ),
+    Planted("jitter left in", vertex(CAMERA, JITTER), f"{JITTERED} {CAMERA}", lacks=NUMBERS),
+    Planted("jitter left in, with numbers", vertex(CAMERA, JITTER), f"{JITTERED} {CAMERA}"),
+    Planted("jitter left in the map", vertex(LIGHT, JITTER, "shadow_map"), f"{JITTERED} {LIGHT}", lacks=NUMBERS),
+    Planted("jitter left in the map, with numbers", vertex(LIGHT, JITTER, "shadow_map"), f"{JITTERED} {LIGHT}"),
+    Planted("light's field of view 1.3 % off", vertex(LIGHT, zoomed(1.013), "shadow_map"), r"tan\(fov_y/2\) is 1\.013"),
     Planted(
         "map's depth of the other convention", vertex(LIGHT, half_depth, "shadow_map"), "0 to 1|0 to w", lacks=NUMBERS
     ),

@@ -62,10 +62,14 @@ def checks(case: Case, only: str | None = None) -> Iterator[Check]:
     """All buffers of a dump in stage order, or those of a single stage."""
     for this_pass in case.oracle.scene.method.passes:
         if _written(this_pass, only) & set(case.drawing.buffers):
-            drawn = case.drawn(this_pass)
-            for check in chain(_checks_of_draw(case, drawn), _checks_of_stages(case, drawn)):
-                if only in (None, check.stage):
-                    yield _as_stored(check, case)
+            yield from (check for check in checks_of(case, this_pass) if only in (None, check.stage))
+
+
+def checks_of(case: Case, this_pass: Pass) -> Iterator[Check]:
+    """All buffers of a dump that a pass wrote, in stage order."""
+    drawn = case.drawn(this_pass)
+    for check in chain(_checks_of_draw(case, drawn), _checks_of_stages(case, drawn)):
+        yield _as_stored(check, case)
 
 
 def _written(this_pass: Pass, only: str | None) -> set[str]:

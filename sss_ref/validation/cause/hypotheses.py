@@ -6,7 +6,7 @@ draw, what its triangles may have come to (culling, depth test, half a pixel, fe
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -20,6 +20,7 @@ from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import stacked
 from sss_ref.validation.accept.rebased import RASTERIZER, Check
 from sss_ref.validation.cause.beside import backgrounds
+from sss_ref.validation.cause.lying_off import lying_off
 from sss_ref.validation.cause.mishaps import SAME_DEPTH, mishaps
 from sss_ref.validation.cause.misreadings import misread
 from sss_ref.validation.cause.mutants import Mutant, mutants
@@ -33,6 +34,7 @@ from sss_ref.validation.verdict.outcomes import FAIL, outcome_map
 TELLING = 8  # wrong pixels from which on explanations mean something
 ENOUGH = 0.98  # of the wrong pixels that an explanation must bring within reach, and of the right ones to stay there
 ALL = 0.999
+LIKELY = 0.3  # the same of a draw that is then judged with all that it may snap to
 MOST_ALIKE = 4  # mistakes that compute the same, said one by one
 MOST_SAID = 8
 
@@ -96,8 +98,13 @@ def _fitting(found: list[Hypothesis]) -> list[Hypothesis]:
 
 
 def _of_draws(case: Case, check: Check, drawn: DrawnPass, wrong: np.ndarray, limit: Limit) -> Iterator[Hypothesis]:
-    """What the draw of the mesh may have done otherwise."""
-    for text, draw in limit.within("draws", redrawings(Redrawing(case, drawn.this_pass, check.buffer))):
+    """What the draw of the mesh may have done otherwise; what was measured makes other offsets needless."""
+    todo = Redrawing(case, drawn.this_pass, check.buffer)
+    measured = [*_lying_off(todo, check, wrong, limit)]
+    yield from measured
+    if _fitting(measured):
+        return
+    for text, draw in limit.within("draws", redrawings(todo)):
         holds = within(check, check.got, draw())
         if check.buffer == drawn.this_pass.draw.depth:
             holds |= np.abs(check.got.astype(np.float64) - draw()) <= SAME_DEPTH
@@ -105,6 +112,18 @@ def _of_draws(case: Case, check: Check, drawn: DrawnPass, wrong: np.ndarray, lim
     if check.stage == RASTERIZER and drawn.visible:
         for text, same in limit.within("mishaps of the draw", mishaps(drawn.visible, check.buffer, check.got)):
             yield Hypothesis(text, *fit_of(same[check.where], wrong[check.where]))
+
+
+def _lying_off(todo: Redrawing, check: Check, wrong: np.ndarray, limit: Limit) -> Iterator[Hypothesis]:
+    """A picture that lies off by a part of a pixel, judged as one drawn so, wherever its corners snap."""
+    profile = replace(todo.case.profile, snap="any")
+    for each in limit.within("offsets of the draw", lying_off(todo, limit)):
+        near = fit_of(within(check, check.got, todo.draw(each.uniforms))[check.where], wrong[check.where])
+        if min(near) >= LIKELY:
+            again = todo.judged(each.uniforms, profile)
+            both = check.where & again.where
+            holds = outcome_map(again) != FAIL
+            yield Hypothesis(each.text, *fit_of(holds[both], wrong[both]), NUMBER if " is " in each.text else STATE)
 
 
 Tried = Iterator[tuple[str, Fit]]

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.interpret.work import Fragments
 from sss_ref.language.names import Name
 from sss_ref.language.pipeline import Pass
@@ -14,15 +15,18 @@ from sss_ref.language.types import mat3, mat4
 from sss_ref.raster.primitives import Primitives, drawable, only, place
 from sss_ref.raster.rasterize import visibility
 from sss_ref.rendering.draw import Machine, shade, varying_columns, vertices
+from sss_ref.rendering.fold import folded
+from sss_ref.rendering.result import Result
+from sss_ref.scene.scene import Scene
 from sss_ref.validation.accept.case import Case
+from sss_ref.validation.accept.rebased import Check, checks_of
 
 Move = Callable[[Primitives, int], Primitives]  # of pieces, and the step of a pixel
 Matrix = np.ndarray
 ZOOMS = (0.5, 0.8, 0.9, 0.95, 0.98, 0.99, 0.995, 1.005, 1.01, 1.02, 1.05, 1.1, 1.25, 2.0)
 TURNS = (-5.0, -2.0, -1.0, -0.5, -0.25, -0.1, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0)  # degrees
 SCALES = (0.5, 2.0)
-JITTER = (-1.0, -0.5, -0.25, -0.125, 0.0, 0.125, 0.25, 0.5, 1.0)  # pixels
-CLOSER, FARTHEST = 3, 8.0  # how often a shift is fitted, and how many pixels it may come to
+SHIFTS = (-1.0, -0.5, 0.0, 0.5, 1.0)  # pixels
 SIDES = {"x": ("left", "right"), "y": ("down", "up")}
 
 
@@ -39,11 +43,29 @@ class Redrawing:
     this_pass: Pass
     buffer: str
 
+    def of(self, buffer: str) -> "Redrawing":
+        """The same of another buffer of the pass."""
+        return replace(self, buffer=buffer)
+
+    def scene(self, uniforms: Mapping[str, Any]) -> Scene:
+        """The scene with other uniforms."""
+        own = self.case.oracle.scene
+        return replace(own, own_uniforms={**own.own_uniforms, **uniforms})
+
+    def judged(self, uniforms: Mapping[str, Any], profile: Profile) -> Check:
+        """The buffer beside what a processor of a profile may write with other uniforms."""
+        oracle, names = self.case.oracle, {self.buffer, *self.this_pass.draw.outputs}
+        scene = self.scene(uniforms)
+        machine = Machine(subpixel_bits=profile.subpixel_bits, stops=False)
+        there = {**oracle.buffers, **folded(scene, machine, names).buffers}
+        case = Case(Result(scene, there, {}), self.case.drawing, profile)
+        found = checks_of(case, self.this_pass.only(names))
+        return next(check for check in found if check.buffer == self.buffer)
+
     def draw(self, uniforms: Mapping[str, Any] = {}, move: Move = as_they_are) -> np.ndarray:
         """The buffer (H, W) or (H, W, C) with other uniforms and with pieces moved or left out."""
-        own = self.case.oracle.scene
         there = {**self.case.oracle.buffers, **self.case.drawing.buffers}
-        scene = replace(own, own_uniforms={**own.own_uniforms, **uniforms})
+        scene = self.scene(uniforms)
         machine = Machine(subpixel_bits=self.case.profile.subpixel_bits, stops=False)
         viewport, draw = machine.viewport(scene, self.this_pass), self.this_pass.draw
         triangles = scene.mesh_of(self.this_pass).triangles
@@ -65,9 +87,6 @@ def redrawings(todo: Redrawing) -> Iterator[tuple[str, Callable[[], np.ndarray]]
     yield from ((text, partial(todo.draw, changed)) for text, changed in _matrices(todo))
     for text, move in _moves():
         yield text, partial(todo.draw, move=move)
-    x, y = fitted_shift(todo)
-    if not {x, y} <= set(JITTER):
-        yield _lies(x, y), partial(todo.draw, move=partial(_shifted, x, y))
 
 
 def _matrices(todo: Redrawing) -> Iterator[tuple[str, Mapping[str, Any]]]:
@@ -91,7 +110,7 @@ def other_matrices(name: str, uniforms: Mapping[str, Any]) -> Iterator[tuple[str
     if "clip_from" in name:
         changed["of the other convention: z from 0 to w, not from -w to w"] = _half_depth() @ right
         for zoom in ZOOMS:
-            changed[f"{_seen_otherwise(right)} {zoom:g} times as large"] = np.diag([1 / zoom, 1 / zoom, 1, 1]) @ right
+            changed[f"{seen_otherwise(right)} {zoom:g} times as large"] = np.diag([1 / zoom, 1 / zoom, 1, 1]) @ right
         for degrees in TURNS:
             changed[f"of another time: the scene is turned by {degrees:g} degrees about the vertical"] = right @ _turn(
                 degrees
@@ -100,7 +119,7 @@ def other_matrices(name: str, uniforms: Mapping[str, Any]) -> Iterator[tuple[str
         yield f"{name} is {text}", matrix.astype(np.float32)
 
 
-def _seen_otherwise(projection: Matrix) -> str:
+def seen_otherwise(projection: Matrix) -> str:
     """What differs where a view sees more or less, by its projection."""
     is_parallel = not projection[3, :3].any()
     return "of another height: view_height is" if is_parallel else "of another field of view: tan(fov_y/2) is"
@@ -122,46 +141,20 @@ def _moves() -> Iterator[tuple[str, Move]]:
     yield "the depth test keeps the farthest", lambda pieces, step: pieces._replace(depth=1 - pieces.depth)
     for scale in SCALES:
         yield f"its viewport is {scale:g} times as large as its target", partial(_scaled, scale)
-    for x in JITTER:
-        for y in JITTER:
+    for x in SHIFTS:
+        for y in SHIFTS:
             if (x, y) != (0.0, 0.0):
-                yield _lies(x, y), partial(_shifted, x, y)
+                yield f"{lies(x, y)}: a viewport or a jitter", partial(_shifted, x, y)
 
 
-def _lies(x: float, y: float) -> str:
-    parts = [f"{abs(d):g} pixels too far {SIDES[axis][d > 0]}" for axis, d in (("x", x), ("y", y)) if d]
-    return f"the picture lies {' and '.join(parts)}: a viewport or a jitter"
-
-
-def fitted_shift(todo: Redrawing) -> tuple[float, float]:
-    """The pixels to the right and up by which a dumped buffer lies off, to a part of a pixel; 0 where none is seen."""
-    got, shift = todo.case.drawing.buffers[todo.buffer], np.zeros(2)
-    if got.dtype != np.float32:
-        return 0.0, 0.0
-    finest = 2**todo.case.profile.subpixel_bits
-    for _ in range(CLOSER):
-        shift += _offset(todo.draw(move=partial(_shifted, *shift)), got)
-    x, y = np.rint(np.clip(shift, -FARTHEST, FARTHEST) * finest) / finest
-    return float(x), float(y)
-
-
-def _offset(drawn: np.ndarray, got: np.ndarray) -> np.ndarray:
-    """How far `got` lies to the right of and above what was drawn, float64 (2,), by least squares on the smooth half.
-
-    To first order got(p) = drawn(p - shift) = drawn(p) - shift . slope(p) (Lucas and Kanade 1981).
-    """
-    with np.errstate(all="ignore"):
-        picture = np.atleast_3d(drawn).astype(np.float64)
-        up, right = (np.asarray(np.gradient(picture, axis=axis)) for axis in (0, 1))
-        bent = np.abs(np.gradient(up, axis=0)) + np.abs(np.gradient(right, axis=1))
-        off = picture - np.atleast_3d(got)
-        seen = np.isfinite(bent) & np.isfinite(off) & (np.abs(right) + np.abs(up) > 0)
-    if not seen.any():
-        return np.zeros(2)
-    smooth = seen & (bent <= np.median(bent[seen]))
-    slopes = np.stack([right[smooth], up[smooth]], axis=-1)
-    fitted: np.ndarray = np.linalg.lstsq(slopes, off[smooth], rcond=None)[0]
-    return fitted
+def lies(x: float, y: float) -> str:
+    """Where a picture lies that is so many pixels too far to the right and up, in words."""
+    parts = [
+        f"{abs(d):.3g} pixel{'' if abs(d) == 1 else 's'} too far {SIDES[axis][d > 0]}"
+        for axis, d in (("x", x), ("y", y))
+        if d
+    ]
+    return f"the picture lies {' and '.join(parts)}"
 
 
 def _shifted(x: float, y: float, pieces: Primitives, step: int) -> Primitives:

@@ -96,8 +96,8 @@ def test_where_a_distant_body_is_cut_depends_on_the_vertex_stage(tmp_path):
 WRONG = {
     "front faces culled": (only(lambda turn: turn < 0), "counter-clockwise in the window are culled"),
     "the farthest": (farthest, "the depth test keeps the farthest"),
-    "half a pixel to the right": (shifted(0.5, 0), "half a pixel too far right"),
-    "half a pixel down": (shifted(0, -0.5), "half a pixel too far down"),
+    "half a pixel to the right": (shifted(0.5, 0), "0.5 pixels too far right"),
+    "half a pixel down": (shifted(0, -0.5), "0.5 pixels too far down"),
     "upside down": (upside_down, "upside down"),
 }
 
