@@ -459,6 +459,26 @@ PLANTED = [
         Mistake("shadow_map", writes={"light_distance": cleared_to(0)}),
         "cleared to 0|where nothing is drawn",
     ),
+    Planted(
+        "irradiance map not dilated",
+        Mistake("irradiance_fill", draws=lambda one: replace(one, rounds=0)),
+        "used as drawn, without dilation",
+        "texture space",
+    ),
+    Planted(
+        "one round of dilation",
+        Mistake("irradiance_fill", draws=lambda one: replace(one, rounds=1)),
+        "irradiance_fill runs 1 round instead of 8",
+        "texture space",
+    ),
+    Planted(
+        "the map before its dilation is blurred",
+        Mistake(
+            "irradiance_blur", reads={"irradiance_filled": "irradiance", "irradiance_filled_mask": "irradiance_mask"}
+        ),
+        "used as drawn, without dilation",
+        "texture space",
+    ),
     Planted("halves", Mistake("camera", writes={"lit": stored_as(np.float16)}), "half|float16"),
     Planted("sRGB8", Mistake("camera", writes={"lit": srgb8}), "srgb8|sRGB8"),
     Planted("R11G11B10F", Mistake("camera", writes={"lit": packed_floats}), "R11G11B10F"),

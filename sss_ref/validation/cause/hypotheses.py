@@ -20,6 +20,7 @@ from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import stacked
 from sss_ref.validation.accept.rebased import RASTERIZER, Check
 from sss_ref.validation.cause.beside import backgrounds
+from sss_ref.validation.cause.dilation import dilations
 from sss_ref.validation.cause.lying_off import lying_off
 from sss_ref.validation.cause.mishaps import SAME_DEPTH, mishaps
 from sss_ref.validation.cause.misreadings import misread
@@ -74,6 +75,9 @@ def hypotheses(
     if wrong.sum() < TELLING:
         return _fitting([Hypothesis(text, share, 1.0) for text, share in backgrounds(check, drawn)])
     found = [Hypothesis(text, *fit_of(holds[where], wrong[where])) for text, holds, where in changes_on_the_way(check)]
+    found += [
+        Hypothesis(text, *fit_of(holds[check.where], wrong[check.where])) for text, holds in dilations(case, check)
+    ]
     sample = sample_of(check, drawn, wrong)
     if sample is not None:
         found += [Hypothesis(text, *fit, NUMBER) for text, fit in other_numbers(sample, limit)]
