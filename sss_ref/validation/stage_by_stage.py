@@ -30,7 +30,7 @@ from sss_ref.validation.report.report import Finding, Report
 from sss_ref.validation.report.worst_pixel import worst_pixel
 from sss_ref.validation.scope import FULL, VERDICTS_ALONE, Scope
 from sss_ref.validation.verdict.clusters import Whereabouts
-from sss_ref.validation.verdict.suspects import suspects
+from sss_ref.validation.verdict.suspects import narrowing, suspects
 from sss_ref.validation.verdict.verdict import Verdict, judged
 
 DEFAULT_PROFILE = "vulkan"
@@ -130,6 +130,8 @@ def _verdicts(case: Case, only: np.ndarray | None, stage: str | None, clock: Clo
             if verdict.failed:
                 doubtful = suspects(method, check.pass_name, check.buffer, buffers)
                 verdict = replace(verdict, suspects=doubtful)
+            elif verdict.loose:
+                verdict = replace(verdict, narrowing=narrowing(method, check.pass_name, check.buffer, buffers))
         yield check, verdict
 
 

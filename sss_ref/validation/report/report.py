@@ -12,6 +12,7 @@ from sss_ref.validation.report.metrics import Likeness
 from sss_ref.validation.verdict.verdict import Verdict
 
 MOST_NAMED = 6  # suspects in a sentence
+MOST_TO_DUMP = 4  # buffers that would narrow bounds
 NEARLY_WHOLE = 0.9  # of the pixels that could be compared: below, a pass says how far it goes
 
 
@@ -83,10 +84,10 @@ class Report:
             return f"empty: {self.nothing}"
         wrong = self.culprit
         if wrong is None and self.only:
-            return f"pass{self._so_far}: stage {self.only} gives what it should; no other stage was judged"
+            return f"pass{self._so_far}: stage {self.only} gives what it should; no other stage was judged{self._loose}"
         if wrong is None:
             count = len(self.verdicts) - len(self.empty)
-            return f"pass{self._so_far}: {count} buffers, every stage gives what it should{self._but_empty}"
+            return f"pass{self._so_far}: {count} buffers, every stage gives what it should{self._but}"
         at = f"stage {wrong.stage} of pass {wrong.pass_name}"
         if not wrong.failing and wrong.background:
             return f"fail: pass {wrong.pass_name} is {self._which} wrong: in {wrong.buffer}, {wrong.background}"
@@ -104,9 +105,15 @@ class Report:
         return f"no pixel{of_stage} that can be judged, of {', '.join(self.empty)}"
 
     @property
-    def _but_empty(self) -> str:
-        """Which buffers a pass says nothing of."""
-        return f"; empty, without a pixel to judge: {', '.join(self.empty)}" if self.empty else ""
+    def _but(self) -> str:
+        """Which buffers a pass says nothing of, and of which little."""
+        empty = f"; empty, without a pixel to judge: {', '.join(self.empty)}" if self.empty else ""
+        return empty + self._loose
+
+    @property
+    def _loose(self) -> str:
+        """Of which buffers a pass proves little, and what to give that it would prove more."""
+        return "".join(map(_loosely, (each for each in self.verdicts if each.loose and not each.empty)))
 
     @property
     def _so_far(self) -> str:
@@ -146,6 +153,14 @@ class Report:
         hidden = "; ".join(f"{each.stage}: {text}" for each in self.power for text in each.hidden)
         blind = [f"no difference here, another view or scene would show it: {hidden}"] if hidden else []
         return [*lines, f"of {tried} mistakes in these stages {seen} would be seen{missed}", *blind]
+
+
+def _loosely(one: Verdict) -> str:
+    """How loosely a buffer was judged, and what would narrow its bounds."""
+    more = [f"{len(one.narrowing) - MOST_TO_DUMP} more"] if len(one.narrowing) > MOST_TO_DUMP else []
+    names = ", ".join([*one.narrowing[:MOST_TO_DUMP], *more])
+    remedy = f"; dump {names} to narrow" if names else ""
+    return f"; {one.buffer}: bounds so wide that {one.passing:.0%} of its range passes{remedy}"
 
 
 def _or_before(wrong: Verdict) -> str:

@@ -53,6 +53,8 @@ def _buffer(verdict: Verdict) -> dict[str, Any]:
         "ulps": list(verdict.ulps),
         "widths": list(verdict.widths.counts),
         "width_of_95_percent": _finite(verdict.widths.most),
+        "share_let_pass": verdict.passing,
+        "narrowing": list(verdict.narrowing),
         "first": _pixel(verdict.first),
         "worst": _pixel(verdict.worst),
         "clusters": asdict(verdict.clusters) if verdict.clusters else None,

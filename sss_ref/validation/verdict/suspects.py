@@ -22,14 +22,36 @@ def suspects(method: Method, pass_name: str, buffer: str, dumped: Collection[str
     A stage is handed what was dumped, and that is right as far as it was judged. What was not dumped comes from the
     stage that writes it, which may be wrong itself, or have been handed something wrong in the same way.
     """
-    writers = [(each.name, writer) for each in method.passes for writer in _writers(each)]
-    last = next(k for k, (name, writer) in enumerate(writers) if name == pass_name and buffer in writer.writes)
     found, unseen = [], frozenset({buffer})
-    for _, writer in reversed(writers[: last + 1]):
+    for writer in reversed([*_up_to(method, pass_name, buffer)]):
         if unseen & writer.writes:
             found.append(writer.place)
             unseen = (unseen - writer.writes) | writer.reads.difference(dumped)
     return tuple(reversed(dict.fromkeys(found)))
+
+
+def narrowing(method: Method, pass_name: str, buffer: str, dumped: Collection[str]) -> tuple[str, ...]:
+    """The buffers that were not dumped and from which `buffer` of a pass is made directly, in stage order.
+
+    What no buffer keeps stands for what it is made from.
+    """
+    before = list(_up_to(method, pass_name, buffer))
+    found, read = set[str](), frozenset({buffer})
+    for writer in reversed(before):
+        if read & writer.writes:
+            unseen = writer.reads.difference(dumped)
+            found |= unseen & set(method.outputs)
+            read = (read - writer.writes) | (unseen - set(method.outputs))
+    return tuple(name for name in method.outputs if name in found)
+
+
+def _up_to(method: Method, pass_name: str, buffer: str) -> Iterator[Writer]:
+    """Whatever writes something up to the stage that writes a buffer of a pass, in order."""
+    for each in method.passes:
+        for writer in _writers(each):
+            yield writer
+            if each.name == pass_name and buffer in writer.writes:
+                return
 
 
 def _writers(this_pass: Pass) -> Iterator[Writer]:

@@ -10,7 +10,9 @@ from sss_ref.validation.verdict.background import Background, background_of
 from sss_ref.validation.verdict.clusters import Clusters, Whereabouts
 from sss_ref.validation.verdict.outcomes import AMBIGUOUS, FAIL, UNBOUNDED, UNDEFINED, Compared, compared, distance
 from sss_ref.validation.verdict.pixel_text import pixel_text
-from sss_ref.validation.verdict.widths import Widths, in_ulps, widths_of
+from sss_ref.validation.verdict.widths import Widths, in_ulps, share_let_pass, widths_of
+
+LOOSE = 0.1  # of what a buffer holds, on average: 0.01 at most where all is given and profile vulkan or gl
 
 
 @dataclass(frozen=True)
@@ -43,7 +45,8 @@ class Verdict:
     that lies farthest beyond its reach; None without any, as are the clusters. suspects: of a buffer that is wrong, the
     stages one of which is, as PASS/STAGE in stage order: its own as the last, and those before it whose results were
     not given. background: what stands where nothing is drawn, if that is wrong. comparable: how many pixels a whole
-    judgement compares.
+    judgement compares. passing: how much of what the buffer holds is let pass on average, 0 to 1. narrowing: of one
+    that is judged loosely, the buffers that were not given and would narrow its bounds.
     """
 
     pass_name: str
@@ -64,6 +67,8 @@ class Verdict:
     suspects: tuple[str, ...] = ()
     background: Background | None = None
     comparable: int = 0
+    passing: float = 0.0
+    narrowing: tuple[str, ...] = ()
 
     @property
     def decided(self) -> float:
@@ -97,6 +102,11 @@ class Verdict:
         return bool(self.failing) or self.background is not None
 
     @property
+    def loose(self) -> bool:
+        """Whether so much of what the buffer holds is let pass that a pass proves little."""
+        return self.passing >= LOOSE
+
+    @property
     def empty(self) -> bool:
         """Whether there is nothing to judge: no pixel of which anything can be said, and no wrong background."""
         return not self.failed and self.compared == self.undefined + self.unbounded
@@ -125,6 +135,7 @@ def judged(check: Check, whereabouts: Whereabouts) -> Verdict:
         widths=_widths(pixels, defined),
         background=background_of(check),
         comparable=int(check.comparable.sum()),
+        passing=share_let_pass(pixels.expected[defined], pixels.reach[defined]),
     )
     return _with_wrong_pixels(verdict, check, pixels, whereabouts) if wrong.any() else verdict
 

@@ -40,6 +40,20 @@ def widths_of(expected: np.ndarray, reach: np.ndarray) -> Widths:
     return Widths(tuple(counts.tolist()), float(most))
 
 
+def share_let_pass(expected: np.ndarray, reach: np.ndarray) -> float:
+    """How much of what a buffer holds, from 0 or its least number to its largest, is let pass on average, 0 to 1.
+
+    expected, reach: (N, C). By channel, and 0 of numbers that all are 0, or that are no floats.
+    """
+    if expected.dtype.kind != "f" or not reach.any():
+        return 0.0
+    middle = expected.astype(np.float64)
+    least, most = (end(middle, axis=0, initial=0.0) for end in (np.min, np.max))
+    passes = np.minimum(middle + reach, most) - np.maximum(middle - reach, least)
+    there = most > least
+    return float((passes[:, there] / (most - least)[there]).mean()) if there.any() else 0.0
+
+
 def in_ulps(length: np.ndarray, expected: np.ndarray, reach: np.ndarray) -> np.ndarray:
     """Lengths in units in the last place of the largest number in the interval, float64 (N, C); 1 for integers.
 

@@ -60,3 +60,17 @@ def test_a_picture_alone_of_which_any_number_may_be_right_does_not_pass(oracle, 
     found = validate(oracle, alone, profile=coarse, explain=False)
     assert found.summary.startswith(told) and found.passed is (relative < 0.01)
     assert validate(oracle, alone, explain=False).passed
+
+
+def test_a_pass_that_lets_much_of_the_range_pass_says_so_and_what_would_narrow_it(oracle):
+    """Numbers of 11 bits bound little on the way from mesh to picture; those of 24 much, with all buffers or not."""
+    alone = {"image": oracle["image"]}
+    found = validate(oracle, alone, profile="mediump", explain=False)
+    (verdict,) = found.verdicts
+    assert found.passed and verdict.loose and 0.1 <= verdict.passing < 1
+    assert verdict.narrowing == ("coverage", "scattered")
+    told = f"; image: bounds so wide that {verdict.passing:.0%} of its range passes; dump coverage, scattered to narrow"
+    assert found.summary.endswith(told)
+    for narrow in (alone, oracle.buffers):
+        report = validate(oracle, narrow, explain=False)
+        assert report.summary == f"pass: {len(narrow)} buffers, every stage gives what it should"

@@ -3,7 +3,15 @@
 import numpy as np
 import pytest
 
-from sss_ref.validation.verdict.widths import WIDTH_BOUNDS, WIDTH_CLASSES, Widths, compact, in_ulps, widths_of
+from sss_ref.validation.verdict.widths import (
+    WIDTH_BOUNDS,
+    WIDTH_CLASSES,
+    Widths,
+    compact,
+    in_ulps,
+    share_let_pass,
+    widths_of,
+)
 
 ULP = 2.0**-23  # of 1
 
@@ -42,3 +50,11 @@ def test_95_of_100_have_at_most_that_width():
 )
 def test_in_few_letters(ulps, text):
     assert compact(ulps) == text
+
+
+def test_the_share_let_pass_is_what_intervals_cover_of_the_range_from_0_to_the_largest_number():
+    """Of 0 to 4 it is a half around 1, from 0 to 2, and a quarter around 4, of which 3 to 4 counts."""
+    assert share_let_pass(column(1, 4), column(1, 1, kind=np.float64)) == (0.5 + 0.25) / 2
+    assert share_let_pass(column(1, 4), column(np.inf, 0, kind=np.float64)) == 0.5
+    assert share_let_pass(column(0, 0), column(1, 1, kind=np.float64)) == 0
+    assert share_let_pass(column(1, 4, kind=np.int32), column(1, 1, kind=np.float64)) == 0
