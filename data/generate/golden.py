@@ -29,6 +29,7 @@ OTHERS = {
     ),
     "figure3_with, separable": ("figure3_with", {"method": "separable"}),
     "figure3_with, burley": ("figure3_with", {"method": "burley"}),
+    "figure3_with, preintegrated": ("figure3_with", {"method": "preintegrated"}),
     "wedge, literal test, wide map": ("wedge", {**WIDE, "shadow_map.test": "literal", "shadow_map.filter": "bilinear"}),
 }
 

@@ -8,7 +8,7 @@ from sss_ref.language.names import tap_name
 from sss_ref.language.pipeline import Method, Pass, ScreenDraw
 from sss_ref.methods.inner_body import inner, of_inner
 from sss_ref.methods.per_light import Lights
-from sss_ref.methods.shared import NEUTRAL, behind_the_surface, by_channel, camera_view, is_soft, shadow_maps
+from sss_ref.methods.shared import NEUTRAL, Shading, behind_the_surface, by_channel, camera_view, is_soft, shadow_maps
 from sss_ref.passes import (
     blur,
     blur_on_surface,
@@ -61,14 +61,17 @@ def screen_space(settings: SceneFile) -> Method:
     )
 
 
-def up_to_the_camera(settings: SceneFile, lengths_there: tuple[Stage, ...]) -> tuple[tuple[Pass, ...], str]:
+def up_to_the_camera(
+    settings: SceneFile, lengths_there: tuple[Stage, ...], shading: Shading | None = None
+) -> tuple[tuple[Pass, ...], str]:
     """The passes before any light scatters sideways, and the buffer that has the picture then.
 
-    lengths_there: the stages that say what an offset of the kernel is at a fragment.
+    lengths_there: the stages that say what an offset of the kernel is at a fragment. shading: as in
+    `behind_the_surface`.
     """
     lights = Lights(settings)
     inside, through, picture = inner_passes(settings, lights)
-    camera = (*behind_the_surface(settings, lights), *lengths_there, *lit(settings, lights), *through)
+    camera = (*behind_the_surface(settings, lights, shading), *lengths_there, *lit(settings, lights), *through)
     passes = (*shadow_maps(lights), *inside, Pass("camera", "camera", camera_view(settings), camera))
     return passes, picture
 

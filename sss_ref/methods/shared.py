@@ -1,6 +1,7 @@
 """What both methods share: the light's views, the camera's view, and the stages up to Phong and translucency."""
 
 from dataclasses import replace
+from typing import NamedTuple
 
 from sss_ref.language import Stage, vec3
 from sss_ref.language.names import Name
@@ -117,7 +118,9 @@ def translucency_form(settings: SceneFile) -> Stage:
     return (FORM_THROUGHOUT if is_blended(settings) else FORM)[settings.translucency.form]
 
 
-def light_at_the_surface(settings: SceneFile, lights: Lights, below: bool = False) -> tuple[Stage, ...]:
+def light_at_the_surface(
+    settings: SceneFile, lights: Lights, shadow_test: tuple[Stage, ...], below: bool = False
+) -> tuple[Stage, ...]:
     """For every light: what the shadow map knows of a point, whether the light reaches it, and how strong it is.
 
     below: whether the thickness is that of a point below it.
@@ -127,21 +130,39 @@ def light_at_the_surface(settings: SceneFile, lights: Lights, below: bool = Fals
         own = (
             SHADOW_LOOKUP[settings.shadow_map.filter],
             *(thickness_below(settings, kind) if below else (BACK_POINT[kind],)),
-            *(of_geometry(settings, stage) for stage in SHADOW_TEST[settings.shadow_map.test]),
+            *(of_geometry(settings, stage) for stage in shadow_test),
             FALLOFF[falloff],
         )
         stages += [stage.renamed(of_light(light)) for stage in own]
     return tuple(stages)
 
 
-def behind_the_surface(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
-    """The camera pass up to what both methods build on: surface, shadow, Phong, translucency."""
+class Shading(NamedTuple):
+    """How a technique lights the surface."""
+
+    phong: Stage
+    shadow_test: tuple[Stage, ...]
+    of_surface: tuple[Stage, ...] = ()  # what these ask of the surface beside its position and normal
+
+
+def papers_shading(settings: SceneFile) -> Shading:
+    """Phong's, and the shadow test that the scene asks for."""
+    return Shading(phong.phong_shading, SHADOW_TEST[settings.shadow_map.test])
+
+
+def behind_the_surface(settings: SceneFile, lights: Lights, shading: Shading | None = None) -> tuple[Stage, ...]:
+    """The camera pass up to what all methods build on: surface, shadow, Phong, translucency.
+
+    shading: of a technique that has its own; without, it is the paper's.
+    """
+    own = shading or papers_shading(settings)
     return (
         *surface_stages(settings),
         ALBEDO[settings.mesh.albedo],
         *((specular_mapped,) if settings.mesh.specular_map else ()),
-        *light_at_the_surface(settings, lights, below=is_wrapped(settings)),
-        *shining(settings, *lights.each(phong.phong_shading)),
+        *own.of_surface,
+        *light_at_the_surface(settings, lights, own.shadow_test, below=is_wrapped(settings)),
+        *shining(settings, *lights.each(own.phong)),
         *lights.summed("phong"),
         *lights.each(by_channel(settings, translucency_form(settings))),
     )

@@ -9,6 +9,7 @@ from sss_ref.methods.per_light import Lights, of_light
 from sss_ref.methods.shared import (
     INSIDE,
     NEUTRAL,
+    SHADOW_TEST,
     behind_the_surface,
     by_channel,
     camera_view,
@@ -94,7 +95,7 @@ def irradiance_stages(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
     """The irradiance of every light at a texel's point of the surface."""
     return in_texels(
         *surface_stages(settings),
-        *light_at_the_surface(settings, lights),
+        *light_at_the_surface(settings, lights, SHADOW_TEST[settings.shadow_map.test]),
         *lights.each(mode(settings)),
     )
 

@@ -10,7 +10,7 @@
 7. `seen_through`: how much of a body inside the mesh is seen, and how much light gets there.
 8. `blur`: how light that scatters below the surface leaves beside where it entered (Table 1). Where its offsets are in
    mm, `lengths` says what these are in pixels, and `blur_on_surface` keeps it from what lies far behind. Other
-   techniques have other blurs in its place: `separable_blur`, `burley_blur`.
+   techniques have other blurs in its place: `separable_blur`, `burley_blur`; `preintegrated_skin` has a table instead.
 9. `composite`: the picture.
 
 Texture space (paper 2.2, 3.3) has two files more, and what it shares it takes from above:

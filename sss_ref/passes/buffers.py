@@ -47,6 +47,7 @@ BUFFERS = {
     "uv": Buffer("texture coordinates, origin at the bottom left"),
     "mm_per_pixel": Buffer("mm across the line of sight"),
     "pixels_per_offset": Buffer("pixels"),
+    "curvature": Buffer("per mm"),
     "albedo": Buffer("linear RGB"),
     "mapped_specular": Buffer("weight"),
     "shadow_uv": Buffer("texture coordinates on the shadow map", -1.0, per_light=True),

@@ -3,6 +3,7 @@
 from sss_ref.language.pipeline import Method
 from sss_ref.methods.burley import burley
 from sss_ref.methods.parallel_views import with_parallel_rays
+from sss_ref.methods.preintegrated import preintegrated
 from sss_ref.methods.published import printed_methods
 from sss_ref.methods.screen_space import screen_space
 from sss_ref.methods.separable import separable
@@ -10,7 +11,7 @@ from sss_ref.methods.texture_space import texture_space
 from sss_ref.scene_file.settings import SceneFile
 
 METHODS = {"screen_space": screen_space, "texture_space": texture_space}
-TECHNIQUES = {"separable": separable, "burley": burley}
+TECHNIQUES = {"separable": separable, "burley": burley, "preintegrated": preintegrated}
 PUBLISHED = {"screen_space": printed_methods.screen_space, "texture_space": printed_methods.texture_space}
 
 

@@ -16,6 +16,7 @@ from sss_ref.methods.parallel_views import with_parallel_rays
 from sss_ref.passes.buffers import described
 from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.forms import Form, forms_of, size_of
+from sss_ref.scene.spreading import curvatures_of
 from sss_ref.scene.stages_replaced import with_stages
 from sss_ref.scene.uniforms import of_inner_body, stretch, uniforms_of
 from sss_ref.scene.until import buffers_kept, buffers_until
@@ -52,7 +53,8 @@ class Scene:
         own = uniforms_of(self.settings, self.world_from_model, self.camera, self.lights, self.method.constants)
         points = transformed(self.world_from_model, self.mesh.positions)
         in_mm = stretch(self.settings, points, self.mesh)
-        return {**own, **in_mm, **self.albedo, **self.maps, **self._of_inner_body(), **self.own_uniforms}
+        bent = curvatures_of(self.settings, self.world_from_model, self.mesh)
+        return {**own, **in_mm, **bent, **self.albedo, **self.maps, **self._of_inner_body(), **self.own_uniforms}
 
     def _of_inner_body(self) -> dict[str, Any]:
         """The uniforms that the body inside the mesh has for itself; none for a scene without."""

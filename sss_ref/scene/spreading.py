@@ -3,10 +3,17 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from sss_ref.mesh.curvature import over_triangles, unit_rows, vertex_curvatures
+from sss_ref.mesh.triangles import Mesh
 from sss_ref.scene.burley_samples import burley_samples
 from sss_ref.scene.projected_kernel import projected_kernel
+from sss_ref.scene.ring_table import ring_table
 from sss_ref.scene_file.diffusion import Diffusion
 from sss_ref.scene_file.settings import SceneFile
+from sss_ref.view.matrices import Matrix, normal_matrix, transformed
 
 
 def of_separable(diffusion: Diffusion) -> dict[str, Any]:
@@ -27,9 +34,29 @@ def of_burley(diffusion: Diffusion) -> dict[str, Any]:
     }
 
 
-SPREADING: Mapping[str, Callable[[Diffusion], dict[str, Any]]] = {"separable": of_separable, "burley": of_burley}
+def of_preintegrated(diffusion: Diffusion) -> dict[str, Any]:
+    """The table over N.L and curvature, and the curvature where it ends."""
+    return {"diffusion_table": ring_table(diffusion), "sharpest_curvature": diffusion.sharpest_curvature}
+
+
+SPREADING: Mapping[str, Callable[[Diffusion], dict[str, Any]]] = {
+    "separable": of_separable,
+    "burley": of_burley,
+    "preintegrated": of_preintegrated,
+}
 
 
 def spreading_of(settings: SceneFile) -> dict[str, Any]:
     """The uniforms of a scene's technique by name, not yet rounded; none with the paper's methods."""
     return SPREADING[settings.method](settings.diffusion) if settings.method in SPREADING else {}
+
+
+def curvatures_of(settings: SceneFile, world_from_model: Matrix, mesh: Mesh) -> dict[str, NDArray[np.float32]]:
+    """`triangle_curvature`, which only pre-integrated skin reads: g and c of each triangle, float32 (T, 4)."""
+    if settings.method != "preintegrated":
+        return {}
+    points = transformed(world_from_model, mesh.positions)
+    turned = np.concatenate([normal_matrix(world_from_model), np.zeros((3, 1))], axis=1)
+    normals = unit_rows(transformed(turned, mesh.normals))
+    values = vertex_curvatures(mesh.positions, points, normals, mesh.triangles)
+    return {"triangle_curvature": over_triangles(values, points, mesh.triangles).astype(np.float32)}

@@ -36,6 +36,9 @@ class Diffusion(Table):
     samples: Samples = 64
     """Samples around each pixel of method "burley"."""
 
+    sharpest_curvature: Positive = 0.5
+    """Curvature per mm up to which the table of method "preintegrated" goes; what is bent more counts as this."""
+
     @property
     def scatter_distance(self) -> tuple[float, float, float]:
         """The d of each channel in mm, l/s with s = 1.85 - A + 7*|A - .8|^3 (Christensen and Burley)."""

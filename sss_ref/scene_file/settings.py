@@ -199,10 +199,10 @@ class Output(Table):
 class SceneFile(Table):
     """A whole scene file with every key filled."""
 
-    method: Literal["screen_space", "texture_space", "separable", "burley"] = "screen_space"
+    method: Literal["screen_space", "texture_space", "separable", "burley", "preintegrated"] = "screen_space"
     """Where the light is diffused: in the image (paper 2.1) or on the surface (paper 2.2); separable: in the image,
     first along x, then along y (Jimenez et al. 2015); burley: in the image, by normalized diffusion (Christensen and
-    Burley 2015)."""
+    Burley 2015); preintegrated: by a table over the angle of the light and curvature (Penner and Borshukov 2011)."""
     preset: Literal["paper", "robust", "published"] = "paper"
     """What fills the keys that are not given; published also has passes of its own."""
     material: MaterialName | None = None
@@ -260,6 +260,14 @@ class SceneFile(Table):
             remedy = 'remove them or set method = "screen_space"'
             raise unmet('no layers with method = "texture_space"', remedy, str(len(layers)))
         return layers
+
+    @field_validator("shadow_map")
+    @classmethod
+    def _goes_round(cls, shadow_map: ShadowMap, info: ValidationInfo) -> ShadowMap:
+        if info.data.get("method") == "preintegrated" and shadow_map.test != "slope":
+            remedy = "choose that test, which has a form for light that goes round, or another method"
+            raise unmet('test = "slope" with method = "preintegrated"', remedy, shadow_map.test)
+        return shadow_map
 
     @field_validator("mesh")
     @classmethod

@@ -4,6 +4,7 @@ import pytest
 
 from sss_ref.errors import SceneError
 from sss_ref.scene import load_scene
+from sss_ref.scene.catalogue import METHODS, TECHNIQUES
 from sss_ref.scene_file.kernels import TABLE1
 
 
@@ -17,11 +18,12 @@ SCENE = "a scene file, a bundle or a shipped scene (small)"
 ANOTHER = "choose another value"
 NUMBER = "write it without quotes, such as 1.5"
 ONLY_PUBLISHED, OR_THE_PRESET = 'expected another value without preset "published"', "choose one, or the preset"
+METHOD_NAMES = [f'"{name}"' for name in (*METHODS, *TECHNIQUES)]
 WRONG = [
     (
         "method",
         "ray_tracing",
-        'expected "screen_space", "texture_space", "separable" or "burley", got "ray_tracing"; choose one of these',
+        f'expected {", ".join(METHOD_NAMES[:-1])} or {METHOD_NAMES[-1]}, got "ray_tracing"; choose one of these',
     ),
     ("preset", "printed", 'expected "paper", "robust" or "published", got "printed"; choose one of these'),
     ("mm_per_unit", True, f"expected a number, got true; {NUMBER}"),

@@ -12,6 +12,7 @@ COMMON = {
         "albedo": (0.63, 0.44, 0.34),
         "mean_free_path_mm": (0.907, 0.602, 0.517),
         "samples": 64,
+        "sharpest_curvature": 0.5,
     },
     "layers": (),
     "method": "screen_space",

@@ -114,6 +114,19 @@ UNIFORMS: dict[str, Any] = {
     "sample_count": 4,
     "scatter_distance": np.array([0.7, 0.3, 1e-4], np.float32),
     "reach_mm": np.float32(9),
+    "triangle_curvature": np.array(
+        [
+            [1, 2, -1, 0.3],
+            [0, 0, 0, 1],
+            [-3, 0.1, 2, -0.5],
+            [0, 0, 0, 0],
+            [1e30, -1e30, 1, 1],
+            [9, 8, 7, 6],
+            [0, -0.0, 0, -0.0],
+        ],
+        np.float32,
+    ),
+    "sharpest_curvature": np.float32(0.5),
     "pixel_scale": np.float32(1),
     "offset": np.array([-1.3, 2.6], np.float32),
     "weight": np.array([0.3, 0.2, 0.1], np.float32),
@@ -162,6 +175,8 @@ VARIANTS: dict[str, list[dict[str, Any]]] = {  # stage -> further uniforms to ru
     "scatter_inside": BLUR,
     "scatter_on_surface": BLUR,
     "scatter_inside_surface": BLUR,
+    "phong_preintegrated": [{"light_count": np.float32(3), "shininess": np.float32(0.3)}],
+    "directly_lit_round": [{"bias_abs": np.float32(0.01), "bias_slope": np.float32(0)}],
     "scatter_burley": [{"sample_count": 1}],
     "scatter_rows": [LONE_PLACE],
     "scatter_columns": [LONE_PLACE],
@@ -281,6 +296,7 @@ def colors(picture: Picture) -> dict[str, np.ndarray]:
     rng = picture.rng
     return {
         "uv": picture.mixed(rng.uniform(-2, 3, (*picture.shape, 2)), FAR_UVS),
+        "diffusion_table": rng.random((MAP_HEIGHT, MAP_WIDTH, 3)).astype(np.float32),
         "albedo_map": rng.random((MAP_HEIGHT, MAP_WIDTH, 3)).astype(np.float32),
         "triangle": rng.integers(0, len(UNIFORMS["triangle_material"]), picture.shape).astype(np.int32),
     }
@@ -291,6 +307,7 @@ def lengths(picture: Picture) -> dict[str, np.ndarray]:
     one, both = ((*picture.shape, *axes) for axes in ((), (2,)))
     return {
         "translucency_by_channel": picture.mixed(picture.rng.exponential(size=(*picture.shape, 3)), [[0, 1, 65504]]),
+        "curvature": picture.mixed(picture.rng.uniform(0, 0.5, one), [0, 0.5]),
         "mm_per_pixel": picture.mixed(picture.rng.exponential(size=one), LENGTHS),
         "pixels_per_offset": picture.mixed(picture.rng.exponential(size=one), SCALES),
         "mm_per_texel": picture.mixed(picture.rng.exponential(size=both), [[0, 0], [1e30, 1e-30], [-1, 2]]),

@@ -503,6 +503,65 @@ def gloss_soft(
     return (scaled(times(incident_light, light_visible), shine),)
 
 
+# Light round a bend
+
+
+def surface_curvature(triangle, position_world, triangle_curvature, sharpest_curvature, mm_per_unit):
+    *gradient, constant = triangle_curvature[triangle]
+    bent = (dot(gradient, position_world) + constant) / mm_per_unit
+    return (minimum(maximum(bent, F(0)), sharpest_curvature),)
+
+
+def directly_lit_round(
+    position_world,
+    normal_world,
+    light_position,
+    light_clip_from_world,
+    light_texel_size,
+    stored_distance,
+    bias_abs,
+    bias_slope,
+):
+    cosine = dot(normal_world, normalize(minus(light_position, position_world)))
+    if cosine <= 0:
+        return (True,)
+    return directly_lit_slope(
+        position_world,
+        normal_world,
+        light_position,
+        light_clip_from_world,
+        light_texel_size,
+        stored_distance,
+        bias_abs,
+        bias_slope,
+    )
+
+
+def phong_preintegrated(
+    position_world,
+    normal_world,
+    albedo,
+    light_position,
+    camera_position,
+    incident_light,
+    curvature,
+    diffusion_table,
+    sharpest_curvature,
+    ambient,
+    diffuse,
+    specular,
+    shininess,
+    light_count,
+):
+    rows, columns = diffusion_table.shape[:2]
+    cosine = dot(normal_world, normalize(minus(light_position, position_world)))
+    across = minimum(maximum(cosine * F(0.5) + F(0.5), F(0)), F(1)) * F(columns - 1)
+    around = bilinear(diffusion_table, *split([across, curvature / sharpest_curvature * F(rows - 1)]))
+    shine = specular * _highlight(position_world, normal_world, light_position, camera_position, shininess)
+    lit = [ambient / light_count + e * (r * diffuse) + e * shine for e, r in zip(incident_light, around, strict=True)]
+    return (times(lit, albedo),)
+
+
 # Blur
 
 

@@ -8,9 +8,11 @@ TWO_LIGHTS = [{"position": [2.4, 1.5, 1.5]}, {"type": "directional", "position":
 SCENES = {  # technique -> what its scene has of its own
     "separable": {"diffusion.taps": 9},
     "burley": {"diffusion.samples": 16},
+    "preintegrated": {"diffusion.sharpest_curvature": 0.1},
 }
 MISTAKES = {  # technique -> keys of a scene that computes something else, and the stage where it first does
     "separable": ({"diffusion.profile": "milk"}, "scatter_rows"),
+    "preintegrated": ({"diffusion.profile": "milk"}, "phong_preintegrated"),
     "burley": ({"diffusion.mean_free_path_mm": [0.907, 0.3, 0.517]}, "scatter_burley"),
 }
 

@@ -1,0 +1,56 @@
+"""How sharply a mesh is bent: balls, cylinders, planes, and what lies between the vertices."""
+
+import numpy as np
+import pytest
+from scenes import cube, sphere
+
+from sss_ref.mesh.curvature import over_triangles, triangle_curvatures, vertex_curvatures
+from sss_ref.mesh.normals import vertex_normals
+
+
+@pytest.mark.parametrize("radius", [0.5, 1.0, 8.0])
+def test_a_ball_is_bent_by_one_over_its_radius_everywhere(radius):
+    normals, triangles, _ = sphere(9)
+    found = triangle_curvatures(radius * normals, normals, triangles)
+    np.testing.assert_allclose(found, 1 / radius, rtol=1e-12)
+    positions = (radius * normals).astype(np.float32)
+    found = vertex_curvatures(positions, radius * normals, normals, triangles)
+    np.testing.assert_allclose(found[np.unique(triangles)], 1 / radius, rtol=1e-12)
+
+
+def test_what_is_flat_is_not_bent():
+    positions, triangles = cube()
+    corners = positions[triangles].reshape(-1, 3)
+    split = np.arange(len(corners)).reshape(-1, 3)
+    normals = vertex_normals(corners.astype(np.float32) + np.repeat(np.arange(len(split)), 3)[:, None] * 10, split)
+    assert not triangle_curvatures(corners, normals.astype(np.float64), split).any()
+
+
+def test_by_hand():
+    # The normals turn by (0, 0, 1) and (1, 0, 0) along the edges: 1 + 1 + 2 over 9 + 16 + 25.
+    points = np.float64([(0, 0, 0), (3, 0, 0), (0, 4, 0), (0, 0, 0)])
+    normals = np.float64([(0, 0, 0), (0, 0, 1), (1, 0, 0), (0, 5, 0)])
+    triangles = np.int32([(0, 1, 2), (3, 3, 3)])
+    assert triangle_curvatures(points, normals, triangles).tolist() == [np.sqrt(4 / 50), 0]
+
+
+def test_a_vertex_has_the_mean_of_its_triangles_by_area_across_seams():
+    # Two triangles at one place, of areas 6 and 2, which share it by two vertices; the third has no area.
+    points = np.float64([(0, 0, 0), (3, 0, 0), (0, 4, 0), (0, 0, 0), (-2, 0, 0), (0, 0, 2), (9, 9, 9)])
+    normals = np.float64([(0, 0, 0), (0, 0, 1), (1, 0, 0), (0, 0, 0), (0, 0, 1), (0, 0, 0), (0, 0, 0)])
+    triangles = np.int32([(0, 1, 2), (3, 4, 5), (6, 6, 6)])
+    sharp, blunt = np.sqrt(4 / 50), np.sqrt(2 / 16)
+    found = vertex_curvatures(points.astype(np.float32), points, normals, triangles)
+    np.testing.assert_allclose(found[[0, 3]], (12 * sharp + 4 * blunt) / 16, rtol=1e-15)
+    np.testing.assert_allclose(found[[1, 4, 6]], [sharp, blunt, 0], rtol=1e-15)
+
+
+def test_between_vertices_it_is_a_plane():
+    rng = np.random.default_rng(8)
+    points, values = rng.normal(size=(12, 3)), rng.random(12)
+    triangles = np.arange(12, dtype=np.int32).reshape(4, 3)
+    planes = over_triangles(values, points, triangles)
+    for plane, corners in zip(planes, triangles, strict=True):
+        np.testing.assert_allclose(points[corners] @ plane[:3] + plane[3], values[corners], rtol=1e-9)
+    flat = np.repeat(points[:1], 3, axis=0)
+    assert over_triangles(values[:3], flat, np.int32([(0, 1, 2)])).tolist() == [[0, 0, 0, values[0]]]
