@@ -12,6 +12,7 @@ from sss_ref.cli.render_commands import render, warmup
 from sss_ref.cli.shader_commands import bundle, glsl, webgl
 from sss_ref.cli.starting import init
 from sss_ref.cli.validating import validate
+from sss_ref.cli.view_command import view
 from sss_ref.errors import SssRefError
 
 MAPPING = "Print a mapping file to edit, with every buffer of a scene; its help explains every key."
@@ -28,6 +29,7 @@ app = App(name="sss-ref", help=PURPOSE, version=_version, result_action="return_
 for command in (
     init,
     render,
+    view,
     batch,
     turntable,
     verify,

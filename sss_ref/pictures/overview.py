@@ -53,7 +53,7 @@ class Tile:
 
 def write_overview(path: Path, result: Result) -> None:
     """Draw the contact sheet of a rendering, `result`, and write it as a PNG file at `path`."""
-    found = list(_tiles(result))
+    found = list(tiles_of(result))
     columns = _columns(len(found))
     camera = result.scene.settings.camera
     frame = (TILE, min(max(TILE * camera.height // camera.width, TILE // 2), TILE * 5 // 4))
@@ -71,7 +71,7 @@ def write_overview(path: Path, result: Result) -> None:
     sheet.save(path, **ZLIB)
 
 
-def _tiles(result: Result) -> Iterator[Tile]:
+def tiles_of(result: Result) -> Iterator[Tile]:
     """The kept buffers in stage order, each with the pass that wrote it."""
     settings = result.scene.settings
     for number, this_pass in enumerate(result.scene.method.passes):

@@ -1,0 +1,81 @@
+"""The page's menu, from the tables and keys of the scene file: a new key has its control by itself."""
+
+from types import NoneType
+from typing import Any, Literal, get_args, get_origin, get_type_hints
+
+from pydantic import BaseModel
+
+from sss_ref.errors.wording import KeyPath
+from sss_ref.scene_file import quantities, scattering, settings
+from sss_ref.scene_file.profiles import PROFILES
+from sss_ref.scene_file.reading import TABLES
+from sss_ref.scene_file.shipped import mesh_names
+
+LARGEST, STOPS = quantities.LARGEST_SIZE, quantities.MOST_STOPS
+RANGES: dict[Any, tuple[float | None, float | None]] = {  # type of a number -> least and largest
+    quantities.Number: (None, None),
+    quantities.NonNegative: (0, None),
+    quantities.Positive: (0, None),
+    quantities.PositiveOrZero: (0, None),
+    quantities.Inset: (0, 1),
+    quantities.Share: (0, 1),
+    quantities.FieldOfView: (0, 180),
+    quantities.Stops: (-STOPS, STOPS),
+    quantities.Size: (1, LARGEST),
+    quantities.Count: (0, LARGEST),
+}
+WHOLE = (quantities.Size, quantities.Count)
+CHANNELS: dict[Any, tuple[float | None, float | None]] = {  # the same of one number, or one for each channel
+    quantities.OneOrThree[quantities.Number]: (None, None),
+    quantities.OneOrThree[quantities.NonNegative]: (0, None),
+    quantities.OneOrThree[quantities.Positive]: (0, None),
+    quantities.OneOrThree[quantities.PositiveOrZero]: (0, None),
+}
+KINDS: dict[Any, dict[str, Any]] = {
+    bool: {"kind": "switch"},
+    str: {"kind": "text"},
+    quantities.Vector: {"kind": "vector"},
+    quantities.Direction: {"kind": "vector"},
+    quantities.Scale: {"kind": "vector"},
+    quantities.Color: {"kind": "color"},
+    settings.MeshColor: {"kind": "color", "names": ["material"]},
+    scattering.Kernel: {"kind": "choice", "choices": [*get_args(get_args(scattering.KernelName)[0])]},
+    scattering.Profile: {"kind": "choice", "choices": [*PROFILES]},
+    **{kind: {"kind": "number", "range": limits, "whole": kind in WHOLE} for kind, limits in RANGES.items()},
+    **{kind: {"kind": "channels", "range": limits} for kind, limits in CHANNELS.items()},
+}
+ANYTHING = {"kind": "value"}  # what no control is made for is typed as JSON
+
+
+def menu() -> list[dict[str, Any]]:
+    """Every table of a scene file with the control of each key, in the order of the reference.
+
+    path: of the table, the type behind its name where it has several; help: what the key means; optional: whether it
+    may be left open; kind: what sets it, with `range`, `choices` or `names` of the values that there are.
+    """
+    return [{"path": path, "controls": _controls(path, model)} for path, model in TABLES.items()]
+
+
+def _controls(path: KeyPath, model: type[BaseModel]) -> list[dict[str, Any]]:
+    hints = get_type_hints(model, include_extras=True)
+    inner = {other[len(path)] for other in TABLES if len(other) > len(path) and other[: len(path)] == path}
+    return [
+        {"key": key, "help": " ".join((field.description or "").split()), **control(path, key, hints[key])}
+        for key, field in model.model_fields.items()
+        if key not in inner
+    ]
+
+
+def control(path: KeyPath, key: str, hint: Any) -> dict[str, Any]:
+    """What sets a key of this type in the table at `path`."""
+    members = get_args(hint)
+    if NoneType in members:
+        (own,) = (each for each in members if each is not NoneType)
+        return control(path, key, own) | {"optional": True}
+    if hint is settings.MeshPath:
+        return {"kind": "mesh", "choices": mesh_names()}
+    if key == "type":
+        return {"kind": "choice", "choices": [other[1] for other in TABLES if other[:1] == path[:1] and other[1:]]}
+    if get_origin(hint) is Literal:
+        return {"kind": "choice", "choices": [*members]}
+    return KINDS.get(hint, ANYTHING)

@@ -1,0 +1,59 @@
+"""Every key of the scene file has a control that suits it, and a new key would have one too."""
+
+from typing import Annotated
+
+import pytest
+
+from sss_ref.scene_file import quantities
+from sss_ref.scene_file.reading import TABLES
+from sss_ref.scene_file.shipped import mesh_names
+from sss_ref.viewer import menu
+from sss_ref.viewer.menu import control
+
+CONTROLS = {(tuple(table["path"]), each["key"]): each for table in menu.menu() for each in table["controls"]}
+
+
+def test_every_key_has_a_control_and_an_explanation():
+    tables = {path[: number + 1] for path in TABLES for number in range(len(path))}
+    for path, model in TABLES.items():
+        for key in model.model_fields:
+            assert ((path, key) in CONTROLS) != ((*path, key) in tables), (path, key)
+    assert all(each["help"] or each["key"] == "type" for each in CONTROLS.values())
+
+
+def test_no_key_is_left_to_be_typed_as_json():
+    assert [key for key, each in CONTROLS.items() if each["kind"] == "value"] == []
+
+
+@pytest.mark.parametrize(
+    ("path", "key", "expected"),
+    [
+        ((), "method", {"kind": "choice", "choices": ["screen_space", "texture_space"]}),
+        ((), "material", {"kind": "choice", "optional": True}),
+        (("mesh",), "path", {"kind": "mesh", "choices": mesh_names()}),
+        (("mesh",), "color", {"kind": "color", "names": ["material"]}),
+        (("lights", "point"), "position", {"kind": "vector", "optional": True}),
+        (("lights", "point"), "intensity", {"kind": "number", "range": (0, None), "whole": False}),
+        (("lights", "point"), "type", {"kind": "choice", "choices": ["point", "directional"]}),
+        (("camera", "free"), "type", {"choices": ["orbit", "look_at", "free", "orthographic"]}),
+        (("translucency",), "x", {"kind": "channels", "range": (0, None)}),
+        (("translucency",), "wrap", {"kind": "number", "range": (0, 1)}),
+        (("shadow_map",), "bias_slope", {"kind": "number", "range": (0, None)}),
+        (("blur",), "kernel", {"kind": "choice", "choices": ["table1", "hbh09", "schoenberger"]}),
+        (("output",), "exposure", {"kind": "number", "range": (-20, 20)}),
+        (("camera", "orbit"), "width", {"kind": "number", "range": (1, 16384), "whole": True}),
+    ],
+)
+def test_a_key_has_the_control_of_its_type(path, key, expected):
+    found = CONTROLS[path, key]
+    assert {name: found.get(name) for name in expected} == expected
+
+
+def test_a_new_type_of_key_is_typed_as_it_is():
+    assert control(("mesh",), "new", Annotated[float, "of a kind unknown here"]) == {"kind": "value"}
+    assert control(("mesh",), "new", quantities.Share | None) == {
+        "kind": "number",
+        "range": (0, 1),
+        "whole": False,
+        "optional": True,
+    }
