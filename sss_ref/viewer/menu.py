@@ -1,7 +1,7 @@
 """The page's menu, from the tables and keys of the scene file: a new key has its control by itself."""
 
 from types import NoneType
-from typing import Any, Literal, get_args, get_origin, get_type_hints
+from typing import Annotated, Any, Literal, get_args, get_origin, get_type_hints
 
 from pydantic import BaseModel
 
@@ -25,15 +25,13 @@ RANGES: dict[Any, tuple[float | None, float | None]] = {  # type of a number -> 
     quantities.Count: (0, LARGEST),
 }
 WHOLE = (quantities.Size, quantities.Count)
-CHANNELS: dict[Any, tuple[float | None, float | None]] = {  # the same of one number, or one for each channel
-    quantities.OneOrThree[quantities.Number]: (None, None),
-    quantities.OneOrThree[quantities.NonNegative]: (0, None),
-    quantities.OneOrThree[quantities.Positive]: (0, None),
-    quantities.OneOrThree[quantities.PositiveOrZero]: (0, None),
-}
+ONE_OR_THREE: Any = quantities.OneOrThree
+CHANNELS = {ONE_OR_THREE[kind]: limits for kind, limits in RANGES.items() if kind not in WHOLE}
 KINDS: dict[Any, dict[str, Any]] = {
     bool: {"kind": "switch"},
     str: {"kind": "text"},
+    int: {"kind": "number", "range": (None, None), "whole": True},
+    float: {"kind": "number", "range": (None, None), "whole": False},
     quantities.Vector: {"kind": "vector"},
     quantities.Direction: {"kind": "vector"},
     quantities.Scale: {"kind": "vector"},
@@ -50,8 +48,8 @@ ANYTHING = {"kind": "value"}  # what no control is made for is typed as JSON
 def menu() -> list[dict[str, Any]]:
     """Every table of a scene file with the control of each key, in the order of the reference.
 
-    path: of the table, the type behind its name where it has several; help: what the key means; optional: whether it
-    may be left open; kind: what sets it, with `range`, `choices` or `names` of the values that there are.
+    Of a table `path`, the type behind its name where it has several; of a key what it means (`help`), what sets it
+    (`kind`, with `range`, `choices` or `names` of the values there are), and whether it may be left open (`optional`).
     """
     return [{"path": path, "controls": _controls(path, model)} for path, model in TABLES.items()]
 
@@ -78,4 +76,11 @@ def control(path: KeyPath, key: str, hint: Any) -> dict[str, Any]:
         return {"kind": "choice", "choices": [other[1] for other in TABLES if other[:1] == path[:1] and other[1:]]}
     if get_origin(hint) is Literal:
         return {"kind": "choice", "choices": [*members]}
-    return KINDS.get(hint, ANYTHING)
+    return _of_type(hint)
+
+
+def _of_type(hint: Any) -> dict[str, Any]:
+    """The control of a type, or of the plain number that it is without what is required of it."""
+    if hint in KINDS:
+        return KINDS[hint]
+    return _of_type(get_args(hint)[0]) if get_origin(hint) is Annotated else ANYTHING

@@ -82,7 +82,11 @@ class Viewer:
 
 
 def view(document: Document, host: str, port: int, on_ready: Callable[[str], None]) -> None:
-    """Serve the page of a scene until Ctrl-C. on_ready: called with its address."""
+    """Serve the page of a scene until Ctrl-C.
+
+    document: what `starting_point` gives. host, port: where to listen; port 0 is any that is free. on_ready: called
+    with the page's address. Raises SceneError where nothing can listen.
+    """
 
     async def serving() -> None:
         stop = asyncio.Event()

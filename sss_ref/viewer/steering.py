@@ -134,7 +134,7 @@ def light_moved(
 def handle(position: Vector, view: View, bounds: Bounds) -> dict[str, Any] | None:
     """Where in the picture a light's handle is, on a sphere around the mesh; None where it is not in front of the eye.
 
-    x, y: from the left and from the top, as shares of width and height. behind: whether it is on the far side.
+    Shares of width and height, x from the left and y from the top, and whether it is on the far side.
     """
     towards = position - bounds.centre
     reach = math.sqrt(float(towards @ towards))

@@ -42,7 +42,7 @@ class Order:
 
 
 @dataclass(frozen=True)
-class Picture:
+class DrawnPicture:
     """A picture and what the page is told with it. pixels: sRGB with alpha, row by row from the top."""
 
     scene: Scene
@@ -51,7 +51,10 @@ class Picture:
 
 
 def starting_point(scene: str, overrides: Mapping[str, Any]) -> Document:
-    """The document of a scene with overrides laid on it; raises as `load_scene` does."""
+    """What the viewer starts with: the document of a scene, as `load_scene` takes it, with overrides laid on it.
+
+    Raises as `load_scene` does.
+    """
     load_scene(scene, **overrides)
     document = opened(scene)
     data, _ = overridden(document.data, overrides)
@@ -73,7 +76,7 @@ class Studio:
         except (SceneError, MeshError) as error:
             raise type(error)(self.files.named(str(error))) from None
 
-    def picture(self, order: Order, is_stale: Callable[[], bool]) -> Picture:
+    def picture(self, order: Order, is_stale: Callable[[], bool]) -> DrawnPicture:
         """Draw what is ordered. Raises Superseded as soon as `is_stale`, which a draft never is."""
 
         def go_on(_: str) -> None:
@@ -101,7 +104,7 @@ class Studio:
             "notes": [*scene.warnings, *result.notes],
             **facts_of(scene, order.data),
         }
-        return Picture(scene, told, pixels.tobytes())
+        return DrawnPicture(scene, told, pixels.tobytes())
 
     def explanation(self, data: Mapping[str, Any], pixel: tuple[int, int]) -> dict[str, Any]:
         """What `explain` says of a pixel, as HTML."""

@@ -21,10 +21,6 @@ def test_every_key_has_a_control_and_an_explanation():
     assert all(each["help"] or each["key"] == "type" for each in CONTROLS.values())
 
 
-def test_no_key_is_left_to_be_typed_as_json():
-    assert [key for key, each in CONTROLS.items() if each["kind"] == "value"] == []
-
-
 @pytest.mark.parametrize(
     ("path", "key", "expected"),
     [
@@ -50,7 +46,10 @@ def test_a_key_has_the_control_of_its_type(path, key, expected):
 
 
 def test_a_new_type_of_key_is_typed_as_it_is():
-    assert control(("mesh",), "new", Annotated[float, "of a kind unknown here"]) == {"kind": "value"}
+    free = {"kind": "number", "range": (None, None)}
+    assert control(("mesh",), "new", Annotated[float, "of a kind unknown here"]) == free | {"whole": False}
+    assert control(("mesh",), "new", Annotated[Annotated[int, 1], 2]) == free | {"whole": True}
+    assert control(("mesh",), "new", dict[str, float]) == {"kind": "value"}
     assert control(("mesh",), "new", quantities.Share | None) == {
         "kind": "number",
         "range": (0, 1),

@@ -2,7 +2,9 @@
 
 import asyncio
 import http.client
+import io
 import json
+import zipfile
 
 import numpy as np
 import pytest
@@ -14,6 +16,20 @@ from websockets.exceptions import InvalidStatus
 from sss_ref.pictures.png_file import image_encoding_of
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
+
+WIDE = {"camera.width": 512, "camera.height": 256}
+LARGE = {"camera.width": 2048, "camera.height": 2048}
+WRONG = ["", "[]", "{", '{"kind": "fly"}', '{"kind": "turn", "right": 1e9, "up": 0}', '{"kind": "set"}', "1" * 999]
+
+
+def has(**wanted):
+    """Whether a picture is a whole one with a buffer, a size or a value of phong.ambient."""
+
+    def holds(facts):
+        found = {"ambient": facts["values"]["phong"]["ambient"], **facts}
+        return facts["hash"] and all(found[key] == value for key, value in wanted.items())
+
+    return holds
 
 
 def run(test):
@@ -39,7 +55,7 @@ def test_what_is_shown_is_what_render_gives(tmp_path):
 def test_the_first_picture_is_a_small_one_and_a_change_is_drawn(tmp_path):
     async def talk():
         async with (
-            served(tmp_path, **{"camera.width": 512, "camera.height": 256}) as viewer,
+            served(tmp_path, **WIDE) as viewer,
             opened_page(viewer) as page,
         ):
             first, _ = await page.next("picture")
@@ -48,8 +64,8 @@ def test_the_first_picture_is_a_small_one_and_a_change_is_drawn(tmp_path):
             return await page.still()
 
     facts, _ = run(talk())
-    size = SMALL | {"camera.width": 512, "camera.height": 256}
-    assert facts["hash"] == render(load_scene("default", **size, **{"phong.ambient": 0.3})).hashes["image"]
+    scene = load_scene("default", **SMALL | WIDE, **{"phong.ambient": 0.3})
+    assert facts["hash"] == render(scene).hashes["image"]
 
 
 def test_of_many_changes_the_newest_is_drawn_and_none_queues_up(tmp_path):
@@ -87,18 +103,7 @@ def test_the_next_picture_waits_until_the_last_has_arrived(tmp_path):
     assert run(talk()) == 1
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "",
-        "[]",
-        "{",
-        '{"kind": "fly to the moon"}',
-        '{"kind": "turn", "right": 1e9, "up": 0}',
-        '{"kind": "set"}',
-        "1" * 999,
-    ],
-)
+@pytest.mark.parametrize("text", WRONG)
 def test_a_wrong_message_is_told_in_one_line(tmp_path, text):
     async def talk():
         async with served(tmp_path) as viewer, opened_page(viewer) as page:
@@ -164,8 +169,8 @@ def status(port, host, path):
 
 
 def test_a_dropped_mesh_becomes_the_scene(tmp_path):
-    path = written(tmp_path / "ball.obj", *sphere(6))
-    content = open(path, "rb").read()
+    written(tmp_path / "ball.obj", *sphere(6))
+    content = (tmp_path / "ball.obj").read_bytes()
     (tmp_path / "files").mkdir()
 
     async def talk():
@@ -177,7 +182,7 @@ def test_a_dropped_mesh_becomes_the_scene(tmp_path):
             await page.next("received")
             await page.say("set", key="camera.width", value=64)
             await page.say("set", key="camera.height", value=64)
-            facts, _ = await page.next("picture", holds=lambda each: each["hash"] and each["size"] == [64, 64])
+            facts, _ = await page.next("picture", holds=has(size=[64, 64]))
             await page.say("save", what="scene")
             return facts, (await page.next("file"))[1]
 
@@ -255,9 +260,7 @@ def test_every_buffer_can_be_seen(tmp_path):
             hashes = {}
             for name in names:
                 await page.say("show", buffer=name)
-                shown, content = await page.next(
-                    "picture", holds=lambda each, n=name: each["buffer"] == n and each["hash"]
-                )
+                shown, content = await page.next("picture", holds=has(buffer=name))
                 assert len(content) == 4 * shown["width"] * shown["height"]
                 hashes[name] = shown["hash"]
             return hashes
@@ -270,9 +273,7 @@ def test_several_pages_have_scenes_of_their_own(tmp_path):
     async def talk():
         async with served(tmp_path) as viewer, opened_page(viewer) as one, opened_page(viewer) as other:
             await one.say("set", key="phong.ambient", value=0.9)
-            first, _ = await one.next(
-                "picture", holds=lambda each: each["hash"] and each["values"]["phong"]["ambient"] == 0.9
-            )
+            first, _ = await one.next("picture", holds=has(ambient=0.9))
             second, _ = await other.still()
             return first["values"]["phong"]["ambient"], second["values"]["phong"]["ambient"]
 
@@ -283,14 +284,10 @@ def test_a_page_brings_its_scene_to_a_new_server(tmp_path):
     async def talk():
         async with served(tmp_path) as viewer, opened_page(viewer) as page:
             await page.say("set", key="phong.ambient", value=0.5)
-            before, _ = await page.next(
-                "picture", holds=lambda each: each["hash"] and each["values"]["phong"]["ambient"] == 0.5
-            )
+            before, _ = await page.next("picture", holds=has(ambient=0.5))
         async with served(tmp_path) as viewer, opened_page(viewer) as page:
             await page.say("restore", data=before["given"])
-            after, _ = await page.next(
-                "picture", holds=lambda each: each["hash"] and each["values"]["phong"]["ambient"] == 0.5
-            )
+            after, _ = await page.next("picture", holds=has(ambient=0.5))
             return before["hash"], after["hash"]
 
     before, after = run(talk())
@@ -300,7 +297,7 @@ def test_a_page_brings_its_scene_to_a_new_server(tmp_path):
 def test_a_server_that_stops_while_it_draws_ends(tmp_path):
     async def talk():
         async with (
-            served(tmp_path, **{"camera.width": 2048, "camera.height": 2048}) as viewer,
+            served(tmp_path, **LARGE) as viewer,
             opened_page(viewer) as page,
         ):
             await page.say("set", key="phong.ambient", value=0.5)
@@ -311,9 +308,6 @@ def test_a_server_that_stops_while_it_draws_ends(tmp_path):
 
 
 def test_the_bundle_and_the_picture_are_those_of_the_commands(tmp_path):
-    import io
-    import zipfile
-
     async def talk():
         async with served(tmp_path) as viewer, opened_page(viewer) as page:
             found = {}
