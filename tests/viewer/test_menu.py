@@ -5,6 +5,7 @@ from typing import Annotated
 import pytest
 
 from sss_ref.scene_file import quantities
+from sss_ref.scene_file.kernels import KERNELS
 from sss_ref.scene_file.reading import TABLES
 from sss_ref.scene_file.shipped import mesh_names
 from sss_ref.viewer import menu
@@ -24,7 +25,7 @@ def test_every_key_has_a_control_and_an_explanation():
 @pytest.mark.parametrize(
     ("path", "key", "expected"),
     [
-        ((), "method", {"kind": "choice", "choices": ["screen_space", "texture_space"]}),
+        (("shadow_map",), "filter", {"kind": "choice", "choices": ["nearest", "bilinear"]}),
         ((), "material", {"kind": "choice", "optional": True}),
         (("mesh",), "path", {"kind": "mesh", "choices": mesh_names()}),
         (("mesh",), "color", {"kind": "color", "names": ["material"]}),
@@ -35,7 +36,7 @@ def test_every_key_has_a_control_and_an_explanation():
         (("translucency",), "x", {"kind": "channels", "range": (0, None)}),
         (("translucency",), "wrap", {"kind": "number", "range": (0, 1)}),
         (("shadow_map",), "bias_slope", {"kind": "number", "range": (0, None)}),
-        (("blur",), "kernel", {"kind": "choice", "choices": ["table1", "hbh09", "schoenberger"]}),
+        (("blur",), "kernel", {"kind": "choice", "choices": [*KERNELS]}),
         (("output",), "exposure", {"kind": "number", "range": (-20, 20)}),
         (("camera", "orbit"), "width", {"kind": "number", "range": (1, 16384), "whole": True}),
     ],
