@@ -52,10 +52,10 @@ class Zoom(Message):
     factor: Annotated[float, Field(ge=0.05, le=20)]
 
 
-class Walk(Message):
+class Fly(Message):
     """The camera flies; ways in radii of the mesh."""
 
-    kind: Literal["walk"]
+    kind: Literal["fly"]
     right: Way
     up: Way
     ahead: Way
@@ -140,7 +140,7 @@ AnyMessage = Annotated[
     | Turn
     | Slide
     | Zoom
-    | Walk
+    | Fly
     | ChooseCamera
     | FrameMesh
     | MoveLight

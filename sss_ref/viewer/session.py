@@ -91,8 +91,8 @@ class Session:
                 return steering.slid(camera, bounds, right, up)
             case messages.Zoom(factor=factor):
                 return steering.zoomed(camera, bounds, factor)
-            case messages.Walk(right=right, up=up, ahead=ahead):
-                return steering.walked(camera, bounds, (right, up, ahead))
+            case messages.Fly(right=right, up=up, ahead=ahead):
+                return steering.flown(camera, bounds, (right, up, ahead))
             case messages.ChooseCamera(type=kind):
                 return steering.retyped(camera, kind, bounds)
         raise AssertionError(message)

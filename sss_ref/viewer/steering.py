@@ -63,7 +63,7 @@ def zoomed(camera: Camera, bounds: Bounds, factor: float) -> Changes:
     return {"eye": _list(view.target + factor * (view.eye - view.target))}
 
 
-def walked(camera: Camera, bounds: Bounds, way: tuple[float, float, float]) -> Changes:
+def flown(camera: Camera, bounds: Bounds, way: tuple[float, float, float]) -> Changes:
     """A camera that flies, moved to the right, upwards and ahead by so many radii of the mesh.
 
     One about a target begins to fly. Raises SceneError for one without perspective, where going ahead shows nothing.

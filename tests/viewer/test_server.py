@@ -19,7 +19,7 @@ from sss_ref.scene.load import load_scene
 
 WIDE = {"camera.width": 512, "camera.height": 256}
 LARGE = {"camera.width": 2048, "camera.height": 2048}
-WRONG = ["", "[]", "{", '{"kind": "fly"}', '{"kind": "turn", "right": 1e9, "up": 0}', '{"kind": "set"}', "1" * 999]
+WRONG = ["", "[]", "{", '{"kind": "jump"}', '{"kind": "turn", "right": 1e9, "up": 0}', '{"kind": "set"}', "1" * 999]
 
 
 def has(**wanted):

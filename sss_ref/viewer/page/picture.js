@@ -152,7 +152,7 @@ export class Picture {
       const faster = this.held.has("ShiftLeft") || this.held.has("ShiftRight") ? 3 : 1;
       const sum = [0, 0, 0];
       for (const code of this.held) (KEYS[code] ?? [0, 0, 0]).forEach((part, axis) => { sum[axis] += part * way * faster; });
-      if (sum.some(Boolean)) this.say("walk", { right: sum[0], up: sum[1], ahead: sum[2] });
+      if (sum.some(Boolean)) this.say("fly", { right: sum[0], up: sum[1], ahead: sum[2] });
       requestAnimationFrame(step);
     };
     this.stage.addEventListener("keydown", (event) => {
