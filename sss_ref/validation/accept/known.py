@@ -119,6 +119,7 @@ def stacked(value: Any) -> np.ndarray:
 
 
 def _reach(exact: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:
+    exact, low, high = np.broadcast_arrays(exact, low, high)  # a stage of uniforms gives one value for all pixels
     reach, apart = np.zeros(exact.shape), (low != exact) | (high != exact)
     middle = exact[apart].astype(np.float64)
     with np.errstate(invalid="ignore"):
