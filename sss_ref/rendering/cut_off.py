@@ -16,10 +16,15 @@ def cut_off(output: Output, image: np.ndarray) -> Iterator[str]:
     limit = np.float32(1) / output.gain
     if image.max() <= limit:
         return
-    shown = image[(image != np.array(output.background, np.float32)).any(axis=-1)].max(axis=-1)
+    red, green, blue = np.moveaxis(image, -1, 0)  # NumPy takes ten times as long for reductions along three values
+    background = [
+        channel != np.float32(value) for channel, value in zip((red, green, blue), output.background, strict=True)
+    ]
+    shown = np.maximum(np.maximum(red, green), blue)[background[0] | background[1] | background[2]]
     share = float((shown > limit).mean()) if shown.size else 0.0
     if share > SHARE:
-        highest = np.sort(shown)[-1 - int(SHARE * shown.size)]
+        last = shown.size - 1 - int(SHARE * shown.size)
+        highest = np.partition(shown, last)[last]
         stops = -ceil(10 * log2(highest)) / 10
         remedy = f"set output.exposure = {stops:g}" if stops >= -MOST_STOPS else "make the lights fainter"
         yield f"image: {share:.1%} of its pixels are brighter than the picture can show and are cut off; {remedy}"
