@@ -1,7 +1,8 @@
 """Which samples a piece covers: exact edge functions, and the one place where the fill rule lives (rule R3).
 
 Window positions are whole numbers of 1/2^bits pixel, counted from the centre of pixel (0, 0). The sample of pixel
-(column, row) is therefore (column*step, row*step) with step = 2^bits, and no rounding enters anywhere in this file.
+(column, row) is therefore (column*step, row*step) with step = 2^bits, and no rounding enters anywhere in this file:
+edge functions are whole numbers below 2^53, exact in float64, which processors divide faster than integers.
 """
 
 from typing import NamedTuple
@@ -12,14 +13,14 @@ from sss_ref.cache.compiled import compiled
 
 
 class EdgeFunction(NamedTuple):
-    """e(column, row) = (constant + column*per_column) + row*per_row, int64, in squared snapped units.
+    """e(column, row) = (constant + column*per_column) + row*per_row, whole float64, in squared snapped units.
 
     Twice the area that the edge spans with the sample; positive on the inner side whichever way the piece turns.
     """
 
-    constant: int
-    per_column: int
-    per_row: int
+    constant: float
+    per_column: float
+    per_row: float
 
 
 @compiled
@@ -39,7 +40,8 @@ def edge_function(start, end, orientation, step):
     """The edge from `start` to `end` of a piece that turns counter-clockwise (orientation +1) or clockwise (-1)."""
     dx = orientation * (end[0] - start[0])
     dy = orientation * (end[1] - start[1])
-    return EdgeFunction(dy * start[0] - dx * start[1], -dy * step, dx * step)
+    constant = dy * start[0] - dx * start[1]
+    return EdgeFunction(np.float64(constant), np.float64(-dy * step), np.float64(dx * step))
 
 
 @compiled
@@ -70,23 +72,28 @@ def owns_its_samples(edge):
 @compiled
 def acceptance(edge):
     """The edge function lowered by one unit where the edge does not own its samples: covered means value >= 0."""
-    return EdgeFunction(edge.constant - (0 if owns_its_samples(edge) else 1), edge.per_column, edge.per_row)
+    return EdgeFunction(edge.constant - (0.0 if owns_its_samples(edge) else 1.0), edge.per_column, edge.per_row)
 
 
 @compiled
 def accepted_columns(edge, row, first, last):
-    """The part of the columns first..last of a row where an acceptance is >= 0, by exact (floor) division."""
-    value = at(edge, 0, row)
+    """The part of the columns first..last of a row where an acceptance is >= 0, all of them whole float64.
+
+    The floor of the rounded quotient is that of the quotient: per_column is at most 2^33, so a quotient that is not
+    whole is at least 2^-33 away from a whole one, and float64 numbers below 2^15 lie closer. What is larger is no column.
+    """
+    value = edge.constant + row * edge.per_row
     if edge.per_column > 0:
-        return max(first, -(value // edge.per_column)), last
+        return max(first, -np.floor(value / edge.per_column)), last
     if edge.per_column < 0:
-        return first, min(last, value // -edge.per_column)
-    return first, (last if value >= 0 else first - 1)
+        return first, min(last, np.floor(value / -edge.per_column))
+    return first, (last if value >= 0 else first - 1.0)
 
 
 @compiled
 def covered_columns(acceptances, row, first, last):
     """The columns of first..last that all three acceptances leave: (first, last), empty where last < first."""
-    first, last = accepted_columns(acceptances[0], row, first, last)
-    first, last = accepted_columns(acceptances[1], row, first, last)
-    return accepted_columns(acceptances[2], row, first, last)
+    low, high = accepted_columns(acceptances[0], row, np.float64(first), np.float64(last))
+    low, high = accepted_columns(acceptances[1], row, low, high)
+    low, high = accepted_columns(acceptances[2], row, low, high)
+    return np.int64(low), np.int64(high)

@@ -15,7 +15,7 @@ from sss_ref.interpret.work import Fragments, Work
 from sss_ref.language.layout import CHANNELS, dtype_of, shape_of
 from sss_ref.language.pipeline import Pass
 from sss_ref.raster.primitives import Primitives, assemble
-from sss_ref.raster.rasterize import visibility
+from sss_ref.raster.rasterize import first_and_last, visibility
 from sss_ref.raster.viewport import FINEST, Viewport
 from sss_ref.scene.scene import Scene
 
@@ -64,10 +64,12 @@ def draw(scene: Scene, this_pass: Pass, buffers: Buffers, machine: Machine) -> S
     viewport = machine.viewport(scene, this_pass)
     varyings, _ = varying_columns(this_pass)
     primitives = assemble(*vertices(scene, this_pass, buffers, machine), scene.mesh_of(this_pass).triangles, viewport)
-    piece, depth = visibility(primitives, viewport, machine.pool)
     notes: tuple[str, ...] = ()
     if this_pass.draw.layout:
-        piece, notes = _laid_out(scene, primitives, viewport, piece, machine.pool)
+        first, last, depth = first_and_last(primitives, viewport, machine.pool)
+        piece, notes = _laid_out(scene, primitives, first, last)
+    else:
+        piece, depth = visibility(primitives, viewport, machine.pool)
     fragments = Fragments(viewport.width, viewport.height, primitives, piece, viewport.step, varyings)
     return Sketch(fragments, {this_pass.draw.depth: depth}, notes)
 
@@ -108,13 +110,15 @@ def shade(
 
 
 def _laid_out(
-    scene: Scene, primitives: Primitives, viewport: Viewport, first: np.ndarray, pool: Executor | None
+    scene: Scene, primitives: Primitives, first: np.ndarray, last: np.ndarray
 ) -> tuple[np.ndarray, tuple[str, ...]]:
-    """The piece of each texel of a UV layout, by the scene's policy for texels that several triangles cover."""
+    """The piece of each texel of a UV layout, by the scene's policy for texels that several triangles cover.
+
+    first, last: of these triangles the first and the last.
+    """
     if not (first >= 0).any():
         raise MeshError(told(scene.mesh.name, "UVs inside 0 to 1", "none that cover a texel", OTHER_UVS))
-    last, _ = visibility(primitives, viewport, pool, later_wins=True)
-    overlapping = int((first != last).sum())
+    overlapping = np.count_nonzero(first != last)
     if not overlapping:
         return first, ()
     policy = scene.settings.irradiance_map.overlap

@@ -9,7 +9,7 @@ from raster_proof import assert_same_bits, check_scene, digest
 from soups import soup
 
 from sss_ref.raster.primitives import assemble
-from sss_ref.raster.rasterize import visibility
+from sss_ref.raster.rasterize import first_and_last, visibility
 from sss_ref.raster.viewport import Viewport
 
 
@@ -55,6 +55,19 @@ def test_depth_by_hand():
 def test_on_a_tie_the_earlier_triangle_wins():
     triangle, _ = draw(sheet(0), Viewport(3, 3), [(0, 1, 2), (2, 1, 0), (1, 2, 0)])
     assert (triangle == 0).all()
+
+
+def test_first_and_last_are_those_of_the_order_and_of_the_reverse(crowd):
+    primitives, viewport = crowd
+    flat = primitives._replace(depth=np.zeros_like(primitives.depth))
+    reverse = flat._replace(corners=flat.corners[::-1], triangle=flat.triangle[::-1])
+    count = len(flat.corners)
+    for drawn, backwards in ((flat, reverse), (primitives, None)):
+        first, last, depth = first_and_last(drawn, viewport, None)
+        assert_same_picture((first, depth), visibility(drawn, viewport, None))
+        expected = first if backwards is None else count - 1 - visibility(backwards, viewport, None)[0]
+        assert_same_bits(last, np.where(first < 0, np.int32(-1), expected).astype(np.int32))
+    assert (first_and_last(flat, viewport, None)[0] != first_and_last(flat, viewport, None)[1]).any()
 
 
 def test_the_nearer_triangle_wins_whatever_the_order():
@@ -104,7 +117,9 @@ def test_bits_do_not_depend_on_the_bands(crowd, band_rows):
         assert_same_picture(visibility(*crowd, pool, band_rows=band_rows), visibility(*crowd, None))
 
 
-@pytest.mark.parametrize("viewport", [Viewport(70, 3), Viewport(5, 90, subpixel_bits=4), Viewport(33, 65, 1)])
+@pytest.mark.parametrize(
+    "viewport", [Viewport(70, 3), Viewport(16384, 2), Viewport(5, 90, subpixel_bits=4), Viewport(33, 65, 1)]
+)
 def test_equals_the_naive_rasterizer_in_odd_pictures(viewport):
     counts = check_scene(soup(5, 90, viewport), viewport)
     assert counts["fragments"] > 300

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from sss_ref.cache.compiled import compiled
 from sss_ref.interpret.kernel.row_memory import (
     put_byte,
     put_float,
@@ -17,34 +18,66 @@ from sss_ref.interpret.kernel.row_memory import (
 from sss_ref.language.types import ivec2
 
 
+@compiled
+def beginning(scratch, count, index):
+    """The first index of a strip, ascending in the row `index`, if no other lies between the first and the last, else -1.
+
+    Then what is at the indices lies side by side, and processors move several at once.
+    """
+    first = np.int64(read_int(scratch, index))
+    return first if np.int64(read_int(scratch, index + count - 1)) - first == count - 1 else np.int64(-1)
+
+
+@compiled
+def numbered(scratch, index, begin, k):
+    """Index number k of a strip with this `beginning`."""
+    return begin + k if begin >= 0 else np.int64(read_int(scratch, index + k))
+
+
 def take_words(scratch, count, rows, uniforms, tables):
     """Values of 32 bits out of an array: rows index, values; tables: address, columns, first column, values each."""
     address, columns, first, channels = tables[0], tables[1], tables[2], tables[3]
-    index = rows[0]
-    for channel in range(channels):
-        values, column = rows[1 + channel], first + channel
+    index, begin = rows[0], beginning(scratch, count, rows[0])
+    if columns == 3 and channels == 3:  # all of one fragment at once
+        x, y, z = rows[1], rows[2], rows[3]
         for k in range(count):
-            place = np.int64(read_int(scratch, index + k)) * columns + column
-            write_int(0, scratch, values + k, texel_int(address, place))
+            place = numbered(scratch, index, begin, k) * 3
+            write_int(0, scratch, x + k, texel_int(address, place))
+            write_int(1, scratch, y + k, texel_int(address, place + 1))
+            write_int(2, scratch, z + k, texel_int(address, place + 2))
+    else:
+        for channel in range(channels):
+            values, column = rows[1 + channel], first + channel
+            for k in range(count):
+                place = numbered(scratch, index, begin, k) * columns + column
+                write_int(0, scratch, values + k, texel_int(address, place))
 
 
 def take_bytes(scratch, count, rows, uniforms, tables):
     """Truth values out of an array of bytes: rows index, value; tables: address."""
-    address, index, value = tables[0], rows[0], rows[1]
+    address, index, value, begin = tables[0], rows[0], rows[1], beginning(scratch, count, rows[0])
     for k in range(count):
-        place = read_int(scratch, index + k)
+        place = numbered(scratch, index, begin, k)
         write_int(0, scratch, value + k, np.int32(texel_byte(address, place)))
 
 
 def put_words(scratch, count, rows, uniforms, tables):
     """Values of 32 bits into an array: rows index, values; tables as in `take_words`."""
     address, columns, first, channels = tables[0], tables[1], tables[2], tables[3]
-    index = rows[0]
-    for channel in range(channels):
-        values, column = rows[1 + channel], first + channel
+    index, begin = rows[0], beginning(scratch, count, rows[0])
+    if columns == 3 and channels == 3:
+        x, y, z = rows[1], rows[2], rows[3]
         for k in range(count):
-            place = np.int64(read_int(scratch, index + k)) * columns + column
-            put_word(address, place, read_int(scratch, values + k))
+            place = numbered(scratch, index, begin, k) * 3
+            put_word(address, place, read_int(scratch, x + k))
+            put_word(address, place + 1, read_int(scratch, y + k))
+            put_word(address, place + 2, read_int(scratch, z + k))
+    else:
+        for channel in range(channels):
+            values, column = rows[1 + channel], first + channel
+            for k in range(count):
+                place = numbered(scratch, index, begin, k) * columns + column
+                put_word(address, place, read_int(scratch, values + k))
 
 
 def take_whole(scratch, count, rows, uniforms, tables):
@@ -71,27 +104,35 @@ def put_whole(scratch, count, rows, uniforms, tables):
 
 def put_bytes(scratch, count, rows, uniforms, tables):
     """Truth values into an array of bytes: rows index, value; tables: address."""
-    address, index, value = tables[0], rows[0], rows[1]
+    address, index, value, begin = tables[0], rows[0], rows[1], beginning(scratch, count, rows[0])
     for k in range(count):
-        place = np.int64(read_int(scratch, index + k))
-        put_byte(address, place, np.uint8(read_int(scratch, value + k) != 0))
+        put_byte(address, numbered(scratch, index, begin, k), np.uint8(read_int(scratch, value + k) != 0))
 
 
 def clear_words(scratch, count, rows, uniforms, tables):
     """One value of 32 bits a channel into an array: rows index; uniforms: the values; tables as in `take_words`."""
     address, columns, first, channels = tables[0], tables[1], tables[2], tables[3]
-    index = rows[0]
-    for channel in range(channels):
-        value, column = read_int(uniforms, channel), first + channel
+    index, begin = rows[0], beginning(scratch, count, rows[0])
+    if columns == 3 and channels == 3:
+        x, y, z = read_int(uniforms, 0), read_int(uniforms, 1), read_int(uniforms, 2)
         for k in range(count):
-            put_word(address, np.int64(read_int(scratch, index + k)) * columns + column, value)
+            place = numbered(scratch, index, begin, k) * 3
+            put_word(address, place, x)
+            put_word(address, place + 1, y)
+            put_word(address, place + 2, z)
+    else:
+        for channel in range(channels):
+            value, column = read_int(uniforms, channel), first + channel
+            for k in range(count):
+                put_word(address, numbered(scratch, index, begin, k) * columns + column, value)
 
 
 def clear_bytes(scratch, count, rows, uniforms, tables):
     """One truth value into an array of bytes: rows index; uniforms: the value; tables: address."""
     address, index, value = tables[0], rows[0], np.uint8(read_int(uniforms, 0) != 0)
+    begin = beginning(scratch, count, rows[0])
     for k in range(count):
-        put_byte(address, np.int64(read_int(scratch, index + k)), value)
+        put_byte(address, numbered(scratch, index, begin, k), value)
 
 
 def same(scratch, count, rows, uniforms, tables):

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from sss_ref.raster.primitives import Primitives, drawable, only
-from sss_ref.raster.rasterize import visibility
+from sss_ref.raster.rasterize import first_and_last
 from sss_ref.raster.viewport import Viewport
 from sss_ref.validation.accept.rasterizer.visible import Visible
 
@@ -21,11 +21,11 @@ def mishaps(visible: Visible, name: str, got: np.ndarray) -> Iterator[tuple[str,
     """Every mishap, and the pixels of a buffer (H, W) that it would draw as they are, bool (H, W)."""
     for text, primitives, viewport, last in _drawings(visible):
         drawn = only(primitives, drawable(primitives))
-        piece, depth = visibility(drawn, viewport, None, later_wins=last)
-        shown = np.append(drawn.triangle, np.int32(-1))[piece]
+        pieces = first_and_last(drawn, viewport, None)
+        shown = np.append(drawn.triangle, np.int32(-1))[pieces[last]]
         if name == visible.draw.depth:
             with np.errstate(invalid="ignore"):
-                same = np.abs(got - depth) <= SAME_DEPTH
+                same = np.abs(got - pieces[-1]) <= SAME_DEPTH
         else:
             same = got == (shown if name == visible.draw.triangle else shown >= 0)
         yield text, same
