@@ -80,7 +80,7 @@ def accepted_columns(edge, row, first, last):
     """The part of the columns first..last of a row where an acceptance is >= 0, all of them whole float64.
 
     The floor of the rounded quotient is that of the quotient: per_column is at most 2^33, so a quotient that is not
-    whole is at least 2^-33 away from a whole one, and float64 numbers below 2^15 lie closer. What is larger is no column.
+    whole is at least 2^-33 away from a whole one, and float64 numbers below 2^15 lie closer. Larger is no column.
     """
     value = edge.constant + row * edge.per_row
     if edge.per_column > 0:

@@ -20,7 +20,7 @@ from sss_ref.language.types import ivec2
 
 @compiled
 def beginning(scratch, count, index):
-    """The first index of a strip, ascending in the row `index`, if no other lies between the first and the last, else -1.
+    """The first index of a strip, which ascend in the row `index`, if none is left out up to the last, else -1.
 
     Then what is at the indices lies side by side, and processors move several at once.
     """

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 INDENT = "    "
-FIRST = "_first"  # added to the name of a texel's number: that of the first fragment
+FIRST = "_first"  # added to the name of a texel's number: that of the first fragment, were all side by side
 
 
 @dataclass(frozen=True)

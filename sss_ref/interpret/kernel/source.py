@@ -36,6 +36,12 @@ WRITE = {
     int: "write_int({2}, {0}, {1}, {3})",
     bool: "write_int({2}, {0}, {1}, np.int32({3}))",
 }
+WHERE_BESIDE = (
+    "last_apart = chosen(apart & (k < middle), np.int32(k + 1), np.int32(0))",
+    "next_apart = chosen(apart & (k > middle), np.int32(k), np.int32(count))",
+    "low = chosen(low < last_apart, last_apart, low)",
+    "high = chosen(next_apart < high, next_apart, high)",
+)
 
 
 class StageSource:
@@ -142,9 +148,9 @@ class RowFunction:
         owned = self.owned.setdefault(self.rows.row(name), len(self.owned))
         return WRITE[self.rows.kinds[name]].format("scratch", f"{self.place(name)} + {index}", owned, value)
 
-    def loop(self, lines: Iterable[str]) -> None:
-        """Add a loop over the fragments."""
-        self.body.append(f"{INDENT * self.depth}for k in range(count):")
+    def loop(self, lines: Iterable[str], fragments: str = "count") -> None:
+        """Add a loop over the fragments, or some of them."""
+        self.body.append(f"{INDENT * self.depth}for k in range({fragments}):")
         self.body += [INDENT * (self.depth + 1) + line for line in lines]
 
     def reads(self, names: Iterable[str]) -> list[str]:
@@ -167,7 +173,11 @@ class RowFunction:
         self.loop([*self.reads(needed), *(self.written(each.row, each.before.text) for each in sums)])
 
     def turn(self, lines: list[Line], sums: tuple[Accumulator, ...]) -> None:
-        """The loop over the fragments in one turn; twice where texels may lie side by side."""
+        """The loop over the fragments in one turn, or two where texels may lie side by side.
+
+        Those of the fragments from `low` to `high` then do, counted on from the one in the middle: a strip may begin or
+        end at the picture's edge, where texels are clamped, or in another row of pixels.
+        """
         first = {name: f"{name}{FIRST}" for line in lines if line.along.endswith(" + k") for name in line.kinds}
         if not first:
             self.one_turn(lines, sums)
@@ -175,26 +185,29 @@ class RowFunction:
         to_texels = leading_to(lines, set(first))
         body = [*self.reads(uses(to_texels)), *(text for line in to_texels for text in line.text)]
         indent = INDENT * self.depth
-        self.body += [indent + text for text in ("k = 0", *body)]
-        self.body += [f"{indent}{start} = np.int64({name})" for name, start in first.items()]
-        self.body.append(f"{indent}apart = np.int64(0)")
-        self.loop([*body, *(f"apart |= np.int64({name}) ^ ({start} + k)" for name, start in first.items())])
-        self.body.append(f"{indent}if apart == 0:")
+        self.body += [indent + text for text in ("k = middle = count // 2", *body)]
+        self.body += [f"{indent}{start} = np.int32({name} - k)" for name, start in first.items()]
+        self.body.append(f"{indent}low, high = np.int32(0), np.int32(count)")
+        apart = " | ".join(f"({name} ^ np.int32({start} + k))" for name, start in first.items())
+        self.loop([*body, f"apart = ({apart}) != 0", *WHERE_BESIDE])
+        self.body.append(f"{indent}for begin, end in ((np.int64(0), np.int64(low)), (np.int64(high), count)):")
         self.depth += 1
-        self.one_turn([replace(line, text=(line.along,)) if line.along else line for line in lines], sums)
+        self.one_turn(lines, sums, "begin, end")
         self.depth -= 1
-        self.body.append(f"{indent}else:")
-        self.depth += 1
-        self.one_turn(lines, sums)
-        self.depth -= 1
+        self.one_turn(
+            [replace(line, text=(line.along,)) if line.along else line for line in lines],
+            sums,
+            "np.int64(low), np.int64(high)",
+        )
 
-    def one_turn(self, lines: list[Line], sums: tuple[Accumulator, ...]) -> None:
-        """The loop itself."""
+    def one_turn(self, lines: list[Line], sums: tuple[Accumulator, ...], fragments: str = "count") -> None:
+        """The loop itself; fragments: from which to which, as Python's `range` has it."""
         own = {name for line in lines for name in line.kinds} | {each.inside for each in sums}
         needed = uses(lines).union(*(each.after.uses for each in sums)) - own
         taken = [f"{each.inside} = {self.reread(each.row)}" for each in sums]
         stored = [self.written(each.row, each.after.text) for each in sums]
-        self.loop([*self.reads(needed), *taken, *(text for line in lines for text in line.text), *stored])
+        body = [*self.reads(needed), *taken, *(text for line in lines for text in line.text), *stored]
+        self.loop(body, fragments)
 
     def reread(self, name: str) -> str:
         """What a row that this function writes holds by now."""

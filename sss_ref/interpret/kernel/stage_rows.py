@@ -11,7 +11,9 @@ from sss_ref.language.stage import Stage
 from sss_ref.language.types import Array, Texture
 
 READ = {float: "read_float({0}, {1})", int: "read_int({0}, {1})", bool: "(read_int({0}, {1}) != 0)"}
-OF_KERNELS = ("np", "chosen", "scratch", "count", "rows", "uniforms", "tables", "k")  # names that a module has itself
+OF_ARGUMENTS = ("scratch", "count", "rows", "uniforms", "tables")
+OF_LOOPS = ("k", "middle", "apart", "last_apart", "next_apart", "low", "high", "begin", "end")
+OF_KERNELS = ("np", "chosen", *OF_ARGUMENTS, *OF_LOOPS)  # names that a module has itself
 
 
 @dataclass(frozen=True)

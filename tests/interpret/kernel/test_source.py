@@ -76,13 +76,18 @@ def test_a_loop_of_the_language_stands_around_the_loop_over_fragments():
     source = StageSource(blur.scatter, {"tap_count", "pixel_scale"})
     start, turns, *inside = (line for line in source.text.splitlines() if line.lstrip().startswith("for "))
     assert start == "    for k in range(count):" and turns.startswith("    for tap_wide in range(")
-    assert [line.strip() for line in inside] == ["for k in range(count):"] * 3
+    assert [line.strip() for line in inside] == [
+        "for k in range(count):",
+        "for begin, end in ((np.int64(0), np.int64(low)), (np.int64(high), count)):",
+        "for k in range(begin, end):",
+        "for k in range(np.int64(low), np.int64(high)):",
+    ]
 
 
 def test_a_turn_is_written_twice_where_texels_may_lie_side_by_side():
-    """Once with each texel's number computed, once with it counted on from that of the first fragment."""
-    _, beside = StageSource(blur.scatter, {"tap_count", "pixel_scale"}).text.split("if apart == 0:")
-    counted, computed = beside.split("else:")
+    """Once with each texel's number computed, once with it counted on from that of the fragment in the middle."""
+    _, computed = StageSource(blur.scatter, {"tap_count", "pixel_scale"}).text.split("range(begin, end):")
+    computed, counted = computed.split("range(np.int64(low), np.int64(high)):")
     assert counted.count("_first + k\n") == 4 and "_first" not in computed
     assert "np.int32(texel_clamped_place + I_1)" in computed and "= texel_clamped_place + I_1\n" in counted
 
