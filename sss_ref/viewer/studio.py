@@ -26,6 +26,7 @@ from sss_ref.viewer.session import plain
 from sss_ref.viewer.shown import needed, pixels_of
 
 MESHES = 4  # that are kept in memory
+FEW_PIXELS = 256  # a side: so small a picture is drawn sooner by one thread than shared among several
 
 
 class Superseded(Exception):
@@ -85,9 +86,10 @@ class Studio:
 
         start = time.perf_counter()
         scene = self.scene(order.data)
-        name = order.buffer if order.buffer in scene.method.values else "image"
         drawn = smaller(scene, self.pace.side) if order.is_draft else scene
-        result = render(drawn, keep=needed(drawn, name), on_pass=go_on)
+        name = order.buffer if order.buffer in drawn.method.values else "image"
+        threads = 1 if max(drawn.settings.camera.width, drawn.settings.camera.height) <= FEW_PIXELS else None
+        result = render(drawn, threads=threads, keep=needed(drawn, name), on_pass=go_on)
         pixels, facts = pixels_of(result, name)
         seconds = time.perf_counter() - start
         if drawn is not scene:
@@ -103,6 +105,7 @@ class Studio:
             "ms": round(seconds * 1e3),
             "notes": [*scene.warnings, *result.notes],
             **facts_of(scene, order.data),
+            "passes": [{"name": each.name, "buffers": [*each.values]} for each in drawn.method.passes],
         }
         return DrawnPicture(scene, told, pixels.tobytes())
 
@@ -135,7 +138,6 @@ def facts_of(scene: Scene, data: Mapping[str, Any]) -> dict[str, Any]:
     return {
         "values": scene.settings.model_dump(mode="json"),
         "given": data,
-        "passes": [{"name": each.name, "buffers": [*each.values]} for each in scene.method.passes],
         "size": [scene.settings.camera.width, scene.settings.camera.height],
         "handles": [steering.handle(light.position, scene.camera, bounds) for light in scene.lights],
     }
