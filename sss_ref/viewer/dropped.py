@@ -83,6 +83,12 @@ class DroppedFiles:
             found = _with(found, (*table, key), path)
         return found
 
+    def by_name(self, values: dict[str, Any]) -> dict[str, Any]:
+        """A scene whose files in the folder are named as the page does."""
+        for table, key, value in [*_files(values)]:
+            values = _with(values, (*table, key), self.named(value))
+        return values
+
     def named(self, text: str) -> str:
         """A message that calls the files what the page does."""
         return text.replace(f"{self.folder}{os.sep}", "")

@@ -2,7 +2,7 @@
 
 import shutil
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +11,6 @@ from sss_ref.pictures.png_file import image_encoding_of, write_png
 from sss_ref.rendering.fold import render
 from sss_ref.results.saving import preview
 from sss_ref.scene.scene import Scene
-from sss_ref.scene_file.reading import Document
 from sss_ref.viewer.dropped import FILE_KEYS
 from sss_ref.viewer.studio import Studio
 
@@ -26,19 +25,19 @@ def kept_file(what: str, studio: Studio, data: Mapping[str, Any]) -> bytes:
     """A file of FILES for a scene. Raises as `load_scene` does."""
     scene = studio.scene(data)
     if what == "scene":
-        return scene_text(data, studio.document).encode()
+        return scene_text(data, studio.document.folder, studio.files.names()).encode()
     return picture_file(scene) if what == "picture" else bundle_file(scene)
 
 
-def scene_text(data: Mapping[str, Any], document: Document) -> str:
+def scene_text(data: Mapping[str, Any], folder: Path, dropped: Collection[str]) -> str:
     """The scene file of these tables, which is the same scene wherever it is put.
 
-    Files that the scene of the viewer names relative to itself are named by their whole path; a dropped file is named
-    as it was dropped, for it goes beside the scene file.
+    Files that lie in the folder of the viewer's scene are named by their whole path. A dropped file is named as it was
+    dropped, for it goes beside the scene file.
     """
     import tomlkit
 
-    return tomlkit.dumps(_placed(data, document.folder))
+    return tomlkit.dumps(_placed(data, folder, dropped))
 
 
 def picture_file(scene: Scene) -> bytes:
@@ -57,15 +56,14 @@ def bundle_file(scene: Scene) -> bytes:
         return Path(shutil.make_archive(f"{folder}/packed", "zip", folder, "bundle")).read_bytes()
 
 
-def _placed(value: Any, folder: Path) -> Any:
+def _placed(value: Any, folder: Path, dropped: Collection[str]) -> Any:
     """Tables and arrays whose files in `folder` are named by their whole path."""
     if isinstance(value, Mapping):
-        return {
-            key: str((folder / each).resolve()) if _is_file(key, each, folder) else _placed(each, folder)
-            for key, each in value.items()
-        }
-    return [_placed(each, folder) for each in value] if isinstance(value, list) else value
+        return {key: _file_or(key, each, folder, dropped) for key, each in value.items()}
+    return [_placed(each, folder, dropped) for each in value] if isinstance(value, list) else value
 
 
-def _is_file(key: str, value: Any, folder: Path) -> bool:
-    return key in FILE_KEYS and isinstance(value, str) and (folder / value).exists()
+def _file_or(key: str, value: Any, folder: Path, dropped: Collection[str]) -> Any:
+    if key in FILE_KEYS and isinstance(value, str) and value not in dropped and (folder / value).exists():
+        return str((folder / value).resolve())
+    return _placed(value, folder, dropped)

@@ -104,7 +104,9 @@ class Studio:
             "hash": None if drawn is not scene else result.hashes[name],
             "ms": round(seconds * 1e3),
             "notes": [*scene.warnings, *result.notes],
-            **facts_of(scene, order.data),
+            **places_of(scene),
+            "values": self.files.by_name(scene.settings.model_dump(mode="json")),
+            "given": order.data,
             "passes": [{"name": each.name, "buffers": [*each.values]} for each in drawn.method.passes],
         }
         return DrawnPicture(scene, told, pixels.tobytes())
@@ -132,12 +134,10 @@ def smaller(scene: Scene, side: int) -> Scene:
     return replace(scene, settings=settings, camera=camera_view(settings.camera), lights=lights)
 
 
-def facts_of(scene: Scene, data: Mapping[str, Any]) -> dict[str, Any]:
-    """What the page shows beside the picture: every key's value, those given, the buffers, and the lights' handles."""
+def places_of(scene: Scene) -> dict[str, Any]:
+    """The whole picture's width and height, and where in it the lights' handles are."""
     bounds = PlacedMesh(scene.mesh, scene.world_from_model).bounds
     return {
-        "values": scene.settings.model_dump(mode="json"),
-        "given": data,
         "size": [scene.settings.camera.width, scene.settings.camera.height],
         "handles": [steering.handle(light.position, scene.camera, bounds) for light in scene.lights],
     }
