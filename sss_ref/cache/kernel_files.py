@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from numba.core import compiler, serialize
+from numba.core.runtime import rtsys
 
 from sss_ref.cache.kernel_sources import sources_hash
 
@@ -35,7 +36,7 @@ class KernelFiles:
 
     def load_overload(self, types: Any, target: Any) -> Any:
         """The compiled function for these argument types, or None."""
-        target.refresh()
+        rtsys.initialize(target)  # of what numba's own cache makes ready here, machine code needs no more
         path = self._path(types, target.codegen())
         reduced = path and _kept(path)
         return COMPILE_RESULT._rebuild(target, *pickle.loads(reduced)) if reduced else None
