@@ -59,7 +59,7 @@ class Case:
             certain = {name: known[name].low for name in known if name == this_pass.draw.stencil}
             fragments = draw(scene, this_pass, exact | certain, self._machine).fragments
         work = Work(this_pass, fragments, scene.uniforms, exact, {}, {})
-        return DrawnPass(work, known, rasterized, self.drawing, self.profile)
+        return DrawnPass(work, known, rasterized, self.drawing, self.profile, self.oracle.buffers)
 
     def visible(self, this_pass: Pass) -> Visible | None:
         """What the rasterizer may show in a pass; a draw that reads no buffer is the same for all dumps, done once."""

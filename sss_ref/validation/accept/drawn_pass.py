@@ -1,15 +1,18 @@
 """A pass as a right processor may have drawn it, ready to be run at single pixels."""
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from sss_ref.interpret.arrays import draw_values
 from sss_ref.interpret.intervals.profile import Profile
-from sss_ref.interpret.work import Work, uniform_value
-from sss_ref.language.pipeline import Pass
+from sss_ref.interpret.work import Work, buffer_value, uniform_value
+from sss_ref.language.pipeline import PIXEL, Pass
+from sss_ref.language.stage import Stage
+from sss_ref.results.diff import bits
 from sss_ref.validation.accept.acceptance import INTERPOLATION, around
 from sss_ref.validation.accept.dumped import Drawing
 from sss_ref.validation.accept.known import Known, KnownBuffer, Pixels, stacked
@@ -22,7 +25,8 @@ class DrawnPass:
     """A pass, ready to be run at single pixels.
 
     read: name -> what is known of the buffers that its stages read. visible: what its rasterizer may show; None where
-    that is fixed. drawing: what was dumped of what its stages hand on. profile: the processor that runs them.
+    that is fixed. drawing: what was dumped of what its stages hand on. profile: the processor that runs them. oracle:
+    the buffers of its rendering.
     """
 
     work: Work
@@ -30,6 +34,7 @@ class DrawnPass:
     visible: Visible | None
     drawing: Drawing
     profile: Profile
+    oracle: Mapping[str, np.ndarray]
 
     @property
     def this_pass(self) -> Pass:
@@ -61,6 +66,27 @@ class DrawnPass:
             known |= {name: Known(values[name], self._spread(name, at, values)) for name in self._varyings}
         return known
 
+    def results(self, stage: Stage, inputs: Sequence[Any], at: Pixels) -> dict[str, Any]:
+        """What a stage gives exactly, buffer -> value: what the oracle's gave where it reads the same."""
+        kinds = {name: stage.outputs[own] for own, name in stage.writes.items()}
+        if not (self._as_in_the_oracle.issuperset(stage.reads.values()) and set(kinds) <= set(self.oracle)):
+            return stage.run(inputs)
+        return {name: buffer_value(kind, self.oracle[name], *at) for name, kind in kinds.items()}
+
+    @cached_property
+    def _as_in_the_oracle(self) -> set[str]:
+        """What the stages of a rectangle may read that holds what the oracle's do; nothing unless its stencil does.
+
+        Nothing either of a draw, whose pixels may show other pieces, nor of rounds, which nobody keeps.
+        """
+        if self.this_pass.draw.vertex_stages or self.this_pass.fed_back:
+            return set()
+        there = {name: known.exact for name, known in self.read.items()} | dict(self.drawing.buffers)
+        same = {name for name, buffer in there.items() if name in self.oracle and _same_bits(buffer, self.oracle[name])}
+        if not same.issuperset(self.this_pass.draw.reads):
+            return set()
+        return {PIXEL, *same, *(set(self.work.uniforms) - set(there))}
+
     def outside(self, name: str, kind: Any, at: Pixels) -> Known:
         """What a stage reads that neither the draw nor a stage of this pass gives: a buffer or a uniform."""
         if name in self.read:
@@ -83,3 +109,8 @@ class DrawnPass:
         slack = interpolation_slack(self.visible.boxes, fragments.piece[at], at[1], at[0], own, columns)
         rounding = np.abs(own.astype(np.float64)).max(axis=-1, keepdims=True) * INTERPOLATION
         return around(values[name], slack + rounding)
+
+
+def _same_bits(a: np.ndarray, b: np.ndarray) -> bool:
+    """Whether two buffers hold the same, -0 apart from 0."""
+    return a is b or (a.dtype == b.dtype and np.array_equal(bits(a), bits(b)))

@@ -38,7 +38,7 @@ def walk(drawn: DrawnPass, at: Pixels) -> Iterator[StageRun]:
     for stage in drawn.this_pass.stages:
         named = [(own, stage.reads[own], kind) for own, kind in stage.parameters.items()]
         read = {own: known[name] if name in known else drawn.outside(name, kind, at) for own, name, kind in named}
-        results = stage.run([each.exact for each in read.values()])
+        results = drawn.results(stage, [each.exact for each in read.values()], at)
         bounds = accepted(stage, {own: each.bounds for own, each in read.items()}, drawn.profile, len(at[0]))
         written = {name: Known(value, *bounds[name]) for name, value in results.items()}
         yield StageRun(stage, read, written)
