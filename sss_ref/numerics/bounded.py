@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from sss_ref.numerics import outward
 from sss_ref.numerics.directed import LARGEST, SMALLEST_NORMAL, UNIT, downward, two_sum, ulp, upward
 from sss_ref.numerics.interval import (
     INFINITY,
@@ -62,6 +63,11 @@ class Bounded:
 
     def add(self, a: Interval, b: Interval) -> Interval:
         """All x + y."""
+        rows = None if self.relative else outward.rows_of(a.low, b.low, a.high, b.high)
+        if rows:
+            return self._in_range(
+                outward.sums_down(*rows[:2], *self._ordinary_size), outward.sums_up(*rows[2:], *self._ordinary_size)
+            )
         low, low_error = two_sum(a.low, b.low)
         if a.is_point and b.is_point:
             return self._rounded(low, low, low_error, low_error)
@@ -199,6 +205,12 @@ class Bounded:
         return np.where((x > 0.49) & (x < 2.04), self.log_absolute, 0.0)
 
     def _around(self, exact: Interval, lost: Any) -> Interval:
+        rows = None if self.relative else outward.rows_of(exact.low, exact.high, lost)
+        if rows:
+            low, high, lost = rows
+            return self._in_range(
+                outward.lows(low, lost, *self._ordinary_size), outward.highs(high, lost, *self._ordinary_size)
+            )
         return self._rounded(exact.low - lost, exact.high + lost)
 
     def _lost(self, size: Any, share: float, flushes: int) -> Any:
@@ -213,16 +225,35 @@ class Bounded:
         """The numbers of float32 around these bounds, as far as this arithmetic has them."""
         if self.relative:
             low, high = low - self.relative * np.abs(low), high + self.relative * np.abs(high)
+        rows = outward.rows_of(low, high) if low_error is None else None
+        if rows:
+            return self._in_range(
+                outward.rounded_down(rows[0], *self._ordinary_size), outward.rounded_up(rows[1], *self._ordinary_size)
+            )
         return self.representable(Interval(downward(low, low_error), upward(high, high_error)))
 
     def representable(self, a: Interval) -> Interval:
         """The interval with 0 where it has a number too small for this arithmetic, infinity where one too large."""
         if all(map(self._ordinary, ends(a))):
             return a
-        return Interval(self._low_in_range(a.low), -self._low_in_range(-a.high))
+        return self._in_range((a.low, False), (a.high, False))
+
+    @property
+    def _ordinary_size(self) -> tuple[float, float]:
+        """The least and the largest size of an ordinary number that is not 0."""
+        return self.smallest_normal, self.largest
+
+    def _in_range(self, low: tuple[Any, bool], high: tuple[Any, bool]) -> Interval:
+        """The interval between ends, each with whether all of its numbers are ordinary."""
+        if low[1] and high[1]:
+            return Interval(low[0], high[0])
+        return Interval(self._low_in_range(low[0]), -self._low_in_range(-high[0]))
 
     def _ordinary(self, x: Any) -> bool:
         """Whether all numbers are 0 or normal."""
+        rows = outward.rows_of(x)
+        if rows:
+            return bool(outward.are_ordinary(*rows, *self._ordinary_size))
         size = np.abs(x)
         return bool(size.max(initial=0.0) <= self.largest) and not np.any((size < self.smallest_normal) & (size > 0))
 

@@ -11,6 +11,8 @@ from typing import Any
 
 import numpy as np
 
+from sss_ref.numerics import outward
+
 INFINITY = np.inf
 
 
@@ -94,6 +96,9 @@ def product(a: Interval, b: Interval) -> Interval:
         return each_end(lambda y: a.low * y, b)
     if b.is_point and np.all(b.low >= 0):
         return each_end(lambda x: x * b.low, a)
+    rows = outward.rows_of(a.low, a.high, b.low, b.high)
+    if rows:
+        return Interval(outward.least_products(*rows), outward.most_products(*rows))
     corners = [x * y for x in ends(a) for y in ends(b)]
     return hull(*map(point, corners))
 
