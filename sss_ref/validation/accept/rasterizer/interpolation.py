@@ -1,10 +1,22 @@
 """How far apart right processors may interpolate: on a triangle as it is, or as they have snapped it (rule R5)."""
 
+from typing import NamedTuple
+
 import numpy as np
 
+from sss_ref.cache.compiled import compiled
+from sss_ref.numerics.outward import greater, lesser
 from sss_ref.validation.accept.rasterizer.boxes import Boxes
 
-NEXT, LAST = [1, 2, 0], [2, 0, 1]  # the corners of the edge opposite to each
+
+class Uncertain(NamedTuple):
+    """What is not known exactly of vertices and pieces, as in `Boxes`, and the resolution."""
+
+    off: np.ndarray
+    rounding: np.ndarray
+    weight_error: np.ndarray
+    attribute_error: np.ndarray
+    step: float
 
 
 def interpolation_slack(
@@ -18,31 +30,70 @@ def interpolation_slack(
     interpolates a/w and 1/w on planes rounds either, by as much as they change across the picture, and on slivers
     that is more than a changes.
     """
-    primitives = boxes.primitives
-    corners = primitives.corners[piece].T
-    inverse_w = primitives.inverse_w[corners].astype(np.float64)
-    edge, off_edge, rounding = _edges(boxes, piece, np.stack([column, row], axis=-1))
-    weight, change = edge * inverse_w, (off_edge + np.abs(edge) * boxes.weight_error[corners]) * inverse_w
-    lost = rounding * np.ptp(inverse_w, axis=0)
-    least = (np.abs(weight.sum(axis=0)) - change.sum(axis=0) - lost)[:, None]
-
-    own, attributes = interpolated.astype(np.float64), primitives.attributes[corners, columns].astype(np.float64)
-    off = (change[..., None] * np.abs(attributes - own)).sum(axis=0)
-    off += rounding[:, None] * np.ptp(attributes * inverse_w[..., None], axis=0) + lost[:, None] * np.abs(own)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        slack = np.where(least > 0, off / least, np.inf)
-    return slack + boxes.attribute_error[corners, columns].max(axis=0)
+    known = Uncertain(boxes.off, boxes.rounding, boxes.weight_error, boxes.attribute_error, float(boxes.viewport.step))
+    own, slack = interpolated.astype(np.float64), np.empty(interpolated.shape)
+    pixel = np.stack([column, row], axis=-1).astype(np.int64)
+    fill_slack(boxes.primitives, known, np.asarray(piece, np.int64), pixel, own, columns.start, slack)
+    return slack
 
 
-def _edges(boxes: Boxes, piece: np.ndarray, sample: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The edge functions of pieces at samples (N, 2) and how far they may be off, float64 (3, N), and a rounding (N,).
+class Corner(NamedTuple):
+    """A vertex seen from a pixel, and how far it may be off; 1/w and the share that it may be off."""
 
-    That is how far a plane is rounded that changes by 1 over the piece, times twice the piece's area.
-    """
-    corners = boxes.primitives.corners[piece].T
-    x, y = np.moveaxis(boxes.primitives.snapped[corners] / boxes.viewport.step - sample, -1, 0)
-    off_x, off_y = np.moveaxis(boxes.off[corners], -1, 0)
-    change = np.abs(x[NEXT]) * off_y[LAST] + np.abs(y[LAST]) * off_x[NEXT] + off_x[NEXT] * off_y[LAST]
-    change += np.abs(x[LAST]) * off_y[NEXT] + np.abs(y[NEXT]) * off_x[LAST] + off_x[LAST] * off_y[NEXT]
-    moved_x, moved_y = boxes.rounding[piece].T
-    return x[NEXT] * y[LAST] - x[LAST] * y[NEXT], change, moved_x * np.ptp(y, axis=0) + moved_y * np.ptp(x, axis=0)
+    x: float
+    y: float
+    off_x: float
+    off_y: float
+    weight: float
+    weight_error: float
+
+
+@compiled
+def fill_slack(primitives, known, piece, pixel, own, first, slack):
+    """Fill `slack`, (N, A) as `own` is. pixel: int64 (N, 2), column and row. first: the column of the attributes."""
+    corners, snapped = primitives.corners, primitives.snapped
+    inverse_w, attributes = primitives.inverse_w, primitives.attributes
+    off, errors, error, step = known.off, known.weight_error, known.attribute_error, known.step
+    for n in range(len(piece)):
+        i, j, k = corners[piece[n], 0], corners[piece[n], 1], corners[piece[n], 2]
+        a = corner(snapped, inverse_w, off, errors, step, i, pixel[n, 0], pixel[n, 1])
+        b = corner(snapped, inverse_w, off, errors, step, j, pixel[n, 0], pixel[n, 1])
+        c = corner(snapped, inverse_w, off, errors, step, k, pixel[n, 0], pixel[n, 1])
+        edge_a, change_a = weight(a, b, c)
+        edge_b, change_b = weight(b, c, a)
+        edge_c, change_c = weight(c, a, b)
+        # how far a plane is rounded that changes by 1 over the piece, times twice the piece's area
+        rounding = known.rounding[piece[n], 0] * extent(a.y, b.y, c.y)
+        rounding += known.rounding[piece[n], 1] * extent(a.x, b.x, c.x)
+        lost = rounding * extent(a.weight, b.weight, c.weight)
+        least = abs(edge_a + edge_b + edge_c) - (change_a + change_b + change_c) - lost
+        for number in range(own.shape[1]):
+            here, column = own[n, number], first + number
+            at_a, at_b = np.float64(attributes[i, column]), np.float64(attributes[j, column])
+            at_c = np.float64(attributes[k, column])
+            apart = change_a * abs(at_a - here) + change_b * abs(at_b - here) + change_c * abs(at_c - here)
+            apart += rounding * extent(at_a * a.weight, at_b * b.weight, at_c * c.weight) + lost * abs(here)
+            of_vertices = greater(greater(error[i, column], error[j, column]), error[k, column])
+            slack[n, number] = (apart / least if least > 0 else np.inf) + of_vertices
+
+
+@compiled
+def corner(snapped, inverse_w, off, weight_error, step, vertex, column, row):
+    """A vertex as it is seen from a pixel."""
+    x, y = snapped[vertex, 0] / step - column, snapped[vertex, 1] / step - row
+    return Corner(x, y, off[vertex, 0], off[vertex, 1], np.float64(inverse_w[vertex]), weight_error[vertex])
+
+
+@compiled
+def weight(own, following, last):
+    """The weight of a corner, the edge function of the two others times 1/w, and how far it may be off."""
+    edge = following.x * last.y - last.x * following.y
+    change = abs(following.x) * last.off_y + abs(last.y) * following.off_x + following.off_x * last.off_y
+    change += abs(last.x) * following.off_y + abs(following.y) * last.off_x + following.off_y * last.off_x
+    return edge * own.weight, (change + abs(edge) * own.weight_error) * own.weight
+
+
+@compiled
+def extent(a, b, c):
+    """How far three numbers lie apart."""
+    return greater(greater(a, b), c) - lesser(lesser(a, b), c)
