@@ -121,6 +121,7 @@ def judged(check: Check, whereabouts: Whereabouts) -> Verdict:
     """The verdict on one buffer."""
     pixels = compared(check)
     defined, wrong = pixels.outcome != UNDEFINED, pixels.outcome == FAIL
+    held = [each if defined.all() else each[defined] for each in (pixels.expected, pixels.reach)]
     verdict = Verdict(
         check.pass_name,
         check.stage,
@@ -132,19 +133,12 @@ def judged(check: Check, whereabouts: Whereabouts) -> Verdict:
         unbounded=pixels.count(UNBOUNDED),
         undefined=pixels.count(UNDEFINED),
         ulps=_ulps_off(pixels),
-        widths=_widths(pixels, defined),
+        widths=widths_of(*held),
         background=background_of(check),
         comparable=int(check.comparable.sum()),
-        passing=share_let_pass(pixels.expected[defined], pixels.reach[defined]),
+        passing=share_let_pass(*held),
     )
     return _with_wrong_pixels(verdict, check, pixels, whereabouts) if wrong.any() else verdict
-
-
-def _widths(pixels: Compared, defined: np.ndarray) -> Widths:
-    """The widths of the intervals of some pixels, bool (N,)."""
-    if defined.all():
-        return widths_of(pixels.expected, pixels.reach)
-    return widths_of(pixels.expected[defined], pixels.reach[defined])
 
 
 def _ulps_off(pixels: Compared) -> tuple[int, ...]:

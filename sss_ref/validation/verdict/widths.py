@@ -30,7 +30,8 @@ def widths_of(expected: np.ndarray, reach: np.ndarray) -> Widths:
     if not reach.any():
         return Widths((reach.size, *[0] * (len(WIDTH_CLASSES) - 1)), 0.0)
     open_ones = in_any_channel(reach > 0)
-    width = in_ulps(2 * reach[open_ones], expected[open_ones], reach[open_ones]).reshape(-1)
+    near, around = (each if open_ones.all() else each[open_ones] for each in (reach, expected))
+    width = in_ulps(2 * near, around, near).reshape(-1)
     up_to = [np.count_nonzero(width <= bound) for bound in WIDTH_BOUNDS]
     counts = np.diff([0, *up_to, width.size])
     exact = reach.size - width.size
@@ -48,10 +49,12 @@ def share_let_pass(expected: np.ndarray, reach: np.ndarray) -> float:
     if expected.dtype.kind != "f" or not reach.any():
         return 0.0
     middle = expected.astype(np.float64)
-    least, most = (end(middle, axis=0, initial=0.0) for end in (np.min, np.max))
+    least, most = (np.array([end(column, initial=0) for column in expected.T], float) for end in (np.min, np.max))
     passes = np.minimum(middle + reach, most) - np.maximum(middle - reach, least)
     there = most > least
-    return float((passes[:, there] / (most - least)[there]).mean()) if there.any() else 0.0
+    if not there.all():
+        passes = passes[:, there]
+    return float((passes / (most - least)[there]).mean()) if there.any() else 0.0
 
 
 def in_ulps(length: np.ndarray, expected: np.ndarray, reach: np.ndarray) -> np.ndarray:
