@@ -1,6 +1,7 @@
 """One light or several: with several, what belongs to a light carries its number, and contributions are summed."""
 
 from collections.abc import Callable
+from functools import cache, partial
 
 from sss_ref.language import Stage
 from sss_ref.language.names import PARTIAL, PARTIAL_SUM, Name
@@ -38,14 +39,15 @@ class Lights:
 
 def of_light(light: int) -> Rename:
     """The renaming of what belongs to a light: lit becomes partial_lit_2; nothing does where it is the only one, 0."""
+    return partial(_numbered, light) if light else lambda text: text
 
-    def numbered(text: str) -> str:
-        name = Name.of(text).of_light(light)
-        if described(text).in_parts:
-            return str(name.as_share(PARTIAL))
-        return str(name) if belongs_to_a_light(text) else text
 
-    return numbered if light else lambda text: text
+@cache  # of the names in our stages: a method asks for each of them many times
+def _numbered(light: int, text: str) -> str:
+    name = Name.of(text).of_light(light)
+    if described(text).in_parts:
+        return str(name.as_share(PARTIAL))
+    return str(name) if belongs_to_a_light(text) else text
 
 
 def belongs_to_a_light(name: str) -> bool:
