@@ -49,6 +49,7 @@ def measured(address: str, seconds: float, server: int) -> None:
 
 
 def drag(page, seconds: float, look=lambda: None) -> None:
+    """Drag to and fro; `look` is called at every tenth move."""
     end, step = time.perf_counter() + seconds, 0
     page.mouse.move(300, 400)
     page.mouse.down()
@@ -62,6 +63,7 @@ def drag(page, seconds: float, look=lambda: None) -> None:
 
 
 def pictures(page) -> int:
+    """How many have arrived in the page."""
     return int(page.evaluate("document.body.dataset.pictures"))
 
 

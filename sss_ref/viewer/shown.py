@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from sss_ref.language.pipeline import Pass
 from sss_ref.passes.buffers import described
 from sss_ref.pictures import tiles
 from sss_ref.pictures.overview import tiles_of
@@ -14,9 +15,15 @@ from sss_ref.scene.scene import Scene
 RAMP = ["#{:02x}{:02x}{:02x}".format(*anchor) for anchor in tiles.RAMP_ANCHORS]  # of the colour bar
 
 
+def pass_of(scene: Scene, name: str) -> Pass:
+    """The pass that writes a buffer."""
+    (found,) = (each for each in scene.method.passes if name in each.values)
+    return found
+
+
 def needed(scene: Scene, name: str) -> set[str]:
     """The buffers that a rendering must keep so that one can be shown: itself, and where it was drawn."""
-    (this_pass,) = (each for each in scene.method.passes if name in each.values)
+    this_pass = pass_of(scene, name)
     limit = this_pass.draw.triangle or this_pass.draw.stencil
     return {name} if name == "image" or not limit else {name, limit}
 

@@ -23,7 +23,7 @@ from sss_ref.viewer import steering
 from sss_ref.viewer.draft import Pace, draft_settings
 from sss_ref.viewer.dropped import DroppedFiles
 from sss_ref.viewer.session import plain
-from sss_ref.viewer.shown import needed, pixels_of
+from sss_ref.viewer.shown import needed, pass_of, pixels_of
 
 MESHES = 4  # that are kept in memory
 FEW_PIXELS = 256  # a side: so small a picture is drawn sooner by one thread than shared among several
@@ -98,6 +98,7 @@ class Studio:
             **facts,
             "kind": "picture",
             "buffer": name,
+            "ofCamera": pass_of(drawn, name).target == "camera",
             "draft": drawn is not scene,
             "width": pixels.shape[1],
             "height": pixels.shape[0],

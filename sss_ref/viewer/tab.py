@@ -2,7 +2,7 @@
 
 import asyncio
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
 from concurrent.futures import Executor
 from contextlib import suppress
 from typing import Any, TypeVar
@@ -31,33 +31,37 @@ class Tab:
         self.is_closed = False
         self._changed, self._arrived = asyncio.Event(), asyncio.Event()
         self._dropped: DroppedFile | None = None
+        self._explaining: asyncio.Task[None] | None = None
 
     async def serve(self) -> None:
         """Talk to the page until it goes away."""
         hello = {"kind": "hello", "menu": menu(), "source": self.studio.document.source, "limit": SIZE_LIMIT}
         self._changed.set()
         self._arrived.set()
-        with suppress(ConnectionClosed):
-            await self._tell(hello)
-            drawing = asyncio.create_task(self._draw())
-            try:
+        try:
+            async with asyncio.TaskGroup() as tasks:
+                self._tasks = tasks
+                await self._tell(hello)
+                drawing = tasks.create_task(self._draw())
                 async for message in self.connection:
-                    await self._take(message)
-            finally:
+                    await self._told_of(self._take(message))
                 self.is_closed = True
                 drawing.cancel()
+        except* ConnectionClosed:
+            pass
+        finally:
+            self.is_closed = True
 
     async def _draw(self) -> None:
         """Draw small while changes come, and whole once they rest; what is out of date is given up."""
-        with suppress(ConnectionClosed):
-            while True:
-                await self._changed.wait()
-                self._changed.clear()
-                await self._picture(is_draft=True)
-                with suppress(TimeoutError):
-                    await asyncio.wait_for(self._changed.wait(), QUIET)
-                    continue
-                await self._picture(is_draft=False)
+        while True:
+            await self._changed.wait()
+            self._changed.clear()
+            await self._picture(is_draft=True)
+            with suppress(TimeoutError):
+                await asyncio.wait_for(self._changed.wait(), QUIET)
+                continue
+            await self._picture(is_draft=False)
 
     async def _picture(self, is_draft: bool) -> None:
         session, version = self.session, self.session.version
@@ -79,12 +83,16 @@ class Tab:
         await self._send(picture.facts, picture.pixels)
 
     async def _take(self, message: str | bytes) -> None:
-        """Do what the page says; what is wrong with it is told in one line."""
+        """Do what the page says."""
+        if isinstance(message, bytes):
+            await self._receive(message)
+        else:
+            await self._obey(messages.message_of(message))
+
+    async def _told_of(self, work: Coroutine[Any, Any, None]) -> None:
+        """Do some work; what is wrong with it is told in one line."""
         try:
-            if isinstance(message, bytes):
-                await self._receive(message)
-            else:
-                await self._obey(messages.message_of(message))
+            await work
         except SssRefError as error:
             await self._tell({"kind": "refused", "lines": str(error).splitlines()})
 
@@ -95,13 +103,22 @@ class Tab:
             case messages.Upload(name=name, size=size, adopt=adopt):
                 self._dropped = self.studio.files.announced(name, size, adopt)
             case messages.Explain(column=column, row=row):
-                data = self.session.data
-                await self._tell(await self._apart(lambda: self.studio.explanation(data, (column, row))))
+                if self._explaining:
+                    self._explaining.cancel()  # what has not begun never does
+                self._explaining = self._meanwhile(self._explain((column, row)))
             case messages.SaveFile(what=what):
-                await self._save(what)
+                self._meanwhile(self._save(what))
             case _:
                 self.session.take(message)
                 self._changed.set()
+
+    def _meanwhile(self, work: Coroutine[Any, Any, None]) -> asyncio.Task[None]:
+        """Some work that the page's next messages do not wait for."""
+        return self._tasks.create_task(self._told_of(work))
+
+    async def _explain(self, pixel: tuple[int, int]) -> None:
+        data = self.session.data
+        await self._tell(await self._apart(lambda: self.studio.explanation(data, pixel)))
 
     async def _save(self, what: str) -> None:
         data = self.session.data

@@ -186,7 +186,7 @@ def test_a_good_file_is_shown_and_a_broken_one_told(page, tmp_path):
 @pytest.mark.parametrize("width", [1300, 390])
 def test_nothing_is_cut(browser, address, width):
     page = ViewerPage(browser, address, width)
-    for part in ("#bar > *", "#panel > footer > *", "#size", "#picture"):
+    for part in ("#bar > :not(#hint)", "#panel > footer > *", "#size", "#hash", "#picture"):
         for found in page.page.locator(part).all():
             box = found.bounding_box()
             assert box["x"] >= 0 and box["x"] + box["width"] <= width, part

@@ -76,7 +76,7 @@ function span([least, largest], value, whole) {
 
 function number(spec, change) {
   const slider = make("input", { type: "range", tabIndex: -1 });
-  const input = entry(change, parsed, "fitted");
+  const input = entry(change, parsed, "not set");
   slider.addEventListener("input", () => {
     input.value = text(+slider.value);
     change(+(+slider.value).toPrecision(6));

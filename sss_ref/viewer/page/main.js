@@ -5,6 +5,7 @@ import { Menu } from "./menu.js";
 import { Picture } from "./picture.js";
 
 const find = (id) => document.getElementById(id);
+const PATIENCE = 500; // milliseconds after a small picture, after which it is said that the whole one is drawn
 const PART = 2 ** 18; // bytes of a dropped file that go at once
 const MESHES = /\.(obj|ply|stl|off|glb|gltf)$/i;
 const state = { facts: null, size: [1, 1], lost: false, dropped: new Map(), times: [] };
@@ -25,6 +26,7 @@ function hello(facts) {
   document.title = `${find("source").textContent} · sss_ref`;
   state.limit = facts.limit;
   menu ??= new Menu(facts.menu, change);
+  find("size").textContent = "drawing …";
   if (!state.lost) return;
   state.lost = false;
   for (const each of state.dropped.values()) upload(each, false);
@@ -38,8 +40,7 @@ function shown(facts, data, offset) {
   Object.assign(state, { facts, size: facts.size });
   find("problems").hidden = true;
   menu.show(facts.values, facts.given);
-  const onPicture = facts.width === facts.size[0] || facts.draft;
-  picture.showHandles(facts.handles, facts.values.lights, onPicture);
+  picture.showHandles(facts.handles, facts.values.lights, facts.ofCamera);
   for (const [id, type] of [["orbit", "orbit"], ["fly", "free"]]) {
     find(id).setAttribute("aria-pressed", String(facts.values.camera.type === type));
   }
@@ -68,6 +69,8 @@ function showStatus(facts) {
   state.times = [...state.times.filter((time) => now - time < 1000), now];
   const rate = facts.draft ? `${state.times.length} pictures/s` : `${facts.ms} ms`;
   find("size").textContent = `${facts.width} × ${facts.height} · ${rate}`;
+  clearTimeout(state.waiting);
+  if (facts.draft) state.waiting = setTimeout(() => { find("size").textContent = `drawing ${facts.size.join(" × ")} …`; }, PATIENCE);
   find("hash").textContent = facts.hash ? `${facts.buffer} ${facts.hash}` : "";
   find("scale").hidden = facts.low === null;
   find("low").textContent = facts.low ?? "";
@@ -113,6 +116,7 @@ function change(key, value) {
 }
 
 function explain(x, y) {
+  if (!state.facts?.ofCamera) return;
   const [width, height] = state.size;
   const [column, fromTop] = [Math.floor(x * width), Math.floor(y * height)];
   Object.assign(find("pixel").style, { left: `${(100 * (column + 0.5)) / width}%`, top: `${(100 * (fromTop + 0.5)) / height}%` });

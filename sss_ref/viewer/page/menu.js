@@ -3,7 +3,7 @@
 import { control } from "./controls.js";
 import { cssColor } from "./picture.js";
 
-const OPEN = new Set(["Scene", "Mesh", "Light 1", "Translucency", "Blur"]);
+const OPEN = new Set(["Scene", "Light 1", "Translucency", "Blur"]);
 const at = (tables, path) => path.reduce((table, key) => table?.[key], tables);
 const spoken = (key) => key.replaceAll("_", " ");
 const titled = (name) => spoken(name)[0].toUpperCase() + spoken(name).slice(1);
