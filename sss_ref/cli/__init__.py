@@ -11,6 +11,7 @@ from sss_ref.cli.listing import info, scenes
 from sss_ref.cli.render_commands import render, warmup
 from sss_ref.cli.shader_commands import bundle, glsl, webgl
 from sss_ref.cli.starting import init
+from sss_ref.cli.truth_commands import truth
 from sss_ref.cli.validating import validate
 from sss_ref.cli.view_command import view
 from sss_ref.errors import SssRefError
@@ -39,6 +40,7 @@ for command in (
     bundle,
     webgl,
     validate,
+    truth,
     info,
     scenes,
     warmup,

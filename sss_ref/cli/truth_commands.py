@@ -1,0 +1,102 @@
+"""`sss-ref truth`."""
+
+import math
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from cyclopts import Parameter
+from rich.markup import escape
+
+from sss_ref.cli.console import err, out, progress
+from sss_ref.cli.options import NO_CHANGES, Changes
+from sss_ref.errors import SceneError
+
+if TYPE_CHECKING:
+    from sss_ref.scene.scene import Scene
+    from sss_ref.truth.radiance import Radiance
+
+STEP = 8  # samples between two times that the folder is written
+
+
+def truth(
+    scene: Annotated[str, Parameter(help="A scene file, or the name of a shipped scene.")] = "default",
+    *,
+    output: Annotated[Path, Parameter(alias="-o", help="The folder; an earlier truth there goes on.")] = Path("truth"),
+    medium: Annotated[
+        str | None, Parameter(show_default=False, help="What the body is made of, such as skin1; else its material.")
+    ] = None,
+    border: Annotated[
+        Literal["matched", "diffuse"],
+        Parameter(
+            help="Light does not notice the surface, or enters and leaves as by a diffuser under Fresnel's border."
+        ),
+    ] = "matched",
+    samples: Annotated[int, Parameter(help="Until each pixel has so many.")] = 64,
+    time_limit: Annotated[
+        float | None, Parameter(show_default=False, help="Begin no sample of the picture after so many seconds.")
+    ] = None,
+    seed: int = 0,
+    threads: Annotated[int | None, Parameter(show_default=False, help="One per processor if not given.")] = None,
+    changes: Changes = NO_CHANGES,
+) -> int:
+    """Trace where the light of a scene really goes: mean radiance per pixel, each with its standard error."""
+    from sss_ref.scene.load import load_scene
+    from sss_ref.truth.media import volumes
+    from sss_ref.truth.tracing import Tracing
+    from sss_ref.truth.truth_folder import begun, recorded
+
+    _check(samples, seed, threads)
+    loaded = load_scene(scene, **changes.overrides())
+    tracing = Tracing(loaded, volumes(_medium(loaded, medium)), border, seed=seed)
+    if loaded.settings.mm_per_unit is None:
+        err.print("[yellow]warning: the scene has no mm_per_unit; a unit is taken for 1 mm[/]")
+    with progress("tracing") as show:
+        found = _traced(begun(output, tracing), output, samples, time_limit or math.inf, threads, show)
+    told = recorded(found)
+    out.print(
+        f"{found.samples} samples a pixel, {found.lost} lost; mean radiance (red, green, blue) and standard error:"
+    )
+    out.print(f"{_numbers(told['mean'])} +- {_numbers(told['mean_error'])}")
+    out.print(f"{escape(str(output))}: open image.png first")
+    return 0
+
+
+def _check(samples: int, seed: int, threads: int | None) -> None:
+    for option, value, least in (("--samples", samples, 1), ("--seed", seed, 0), ("--threads", threads, 1)):
+        if value is not None and value < least:
+            raise SceneError(f"{option}: expected at least {least}, got {value}; give a larger number")
+
+
+def _medium(scene: "Scene", given: str | None) -> str:
+    """The name of what the body is made of."""
+    name = given or scene.settings.material
+    if name is None:
+        raise SceneError("--medium: expected the name of a medium, got none and a scene without material; try skin1")
+    return name
+
+
+def _traced(
+    found: "Radiance",
+    folder: Path,
+    samples: int,
+    seconds: float,
+    threads: int | None,
+    show: Callable[[str], None],
+) -> "Radiance":
+    """Trace until there are enough samples or the time is up, and write the folder every few samples."""
+    from sss_ref.truth.truth_folder import write_truth
+
+    end = time.monotonic() + seconds
+    while found.samples < samples and (found.samples < 2 or time.monotonic() < end):
+        left = end - time.monotonic()
+        found = found.more(min(STEP, samples - found.samples), threads, left)
+        show(f"tracing: {found.samples} of {samples} samples a pixel")
+        write_truth(folder, found)
+    return found
+
+
+def _numbers(values: object) -> str:
+    assert isinstance(values, list)
+    return " ".join(f"{value:.6f}" for value in values)

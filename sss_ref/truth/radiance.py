@@ -1,0 +1,111 @@
+"""The mean radiance of each pixel with its standard error, sample by sample."""
+
+import math
+import os
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from zipfile import BadZipFile
+from zlib import error as ZlibError
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sss_ref.errors import SceneError
+from sss_ref.errors.wording import told
+from sss_ref.truth.eye_rays import Sums, gather_row
+from sss_ref.truth.random_numbers import new_stream
+from sss_ref.truth.tracing import Tracing
+
+FloatArray = NDArray[np.float64]
+FORMAT = "sss_ref radiance 1"
+
+
+@dataclass(frozen=True, eq=False)
+class Radiance:
+    """The first `samples` samples of every pixel, added up."""
+
+    of: Tracing
+    samples: int
+    sums: Sums
+
+    @property
+    def mean(self) -> FloatArray:
+        """Linear RGB (H, W, 3), row 0 at the bottom; 0 where every sample was lost."""
+        return np.asarray(self.sums.total / np.maximum(self.sums.counted, 1))
+
+    @property
+    def error(self) -> FloatArray:
+        """The standard error of `mean`: sqrt((mean of squares - squared mean) / (n - 1)); inf for one or none."""
+        count = self.sums.counted
+        spread = np.maximum(self.sums.square / np.maximum(count, 1) - np.square(self.mean), 0)
+        with np.errstate(divide="ignore"):
+            return np.asarray(np.where(count > 1, np.sqrt(spread / np.maximum(count - 1, 1)), math.inf))
+
+    @property
+    def lost(self) -> int:
+        """The samples that slipped between two triangles and count nothing."""
+        return self.samples * self.sums.counted.size - int(self.sums.counted.sum())
+
+    def more(
+        self,
+        samples: int,
+        threads: int | None = None,
+        seconds: float = math.inf,
+        on_progress: Callable[[int, int], None] | None = None,
+    ) -> "Radiance":
+        """So many samples more of every pixel, each added in order: n and n more are the same bits as 2 * n at once.
+
+        threads: how many share the rows (None: one per processor). seconds: begin no sample of the picture after them.
+        on_progress: told the samples that are done, and those wanted.
+        """
+        sums = Sums(*(array.copy() for array in self.sums))
+        end, done = time.monotonic() + seconds, 0
+        with ThreadPoolExecutor(threads or os.cpu_count()) as pool:
+            while done < samples and (done == 0 or time.monotonic() < end):
+                first = self.samples + done
+                list(pool.map(partial(_gather, self.of, (first, first + 1), sums), range(self.of.eye.height)))
+                done += 1
+                if on_progress:
+                    on_progress(done, samples)
+        return Radiance(self.of, self.samples + done, sums)
+
+    def save(self, path: Path) -> None:
+        """Write the sums into an .npz file, from which `read_radiance` goes on."""
+        part = path.with_name(f"{path.stem}.part.npz")
+        np.savez(part, format=FORMAT, identity=self.of.identity, samples=self.samples, **self.sums._asdict())
+        part.replace(path)
+
+
+def nothing_gathered(of: Tracing) -> Radiance:
+    """No sample yet."""
+    shape = (of.eye.height, of.eye.width, 3)
+    return Radiance(of, 0, Sums(np.zeros(shape), np.zeros(shape), np.zeros(shape, np.int64)))
+
+
+def read_radiance(path: Path, of: Tracing) -> Radiance:
+    """The samples of a tracing that were saved. Raises SceneError for another one's, and for what is none."""
+    try:
+        with np.load(path) as content:
+            found = {name: content[name] for name in content.files}
+        is_one = str(found["format"]) == FORMAT
+        identity, samples, sums = (
+            str(found["identity"]),
+            int(found["samples"]),
+            Sums(*(found[name] for name in Sums._fields)),
+        )
+    except (OSError, ValueError, KeyError, EOFError, BadZipFile, ZlibError):
+        is_one, identity, samples, sums = False, "", 0, nothing_gathered(of).sums
+    if not is_one:
+        raise SceneError(told(str(path), "the sums of a tracing", "something else", "delete it to begin again"))
+    if identity != of.identity:
+        remedy = "choose another folder, or delete it to begin again"
+        raise SceneError(told(str(path), "the sums of this scene, material and seed", "those of another", remedy))
+    return Radiance(of, samples, sums)
+
+
+def _gather(of: Tracing, samples: tuple[int, int], sums: Sums, row: int) -> None:
+    gather_row(new_stream(of.seed), of.scenery, of.volumes_per_unit, of.eye, row, samples, sums)
