@@ -1,4 +1,4 @@
-"""Does `validate` name the cause? Ports with one mistake each, from the fault table of the tests.
+"""Does `validate` name the cause? Ports with one mistake each, from the fault tables of the tests.
 
     python benchmarks/causes.py --size 64
 
@@ -14,7 +14,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "support"))
 
-from planted import PLANTED, Planted, oracle_of, scene_of  # the table is beside the tests that use it
+from planted import PLANTED, Planted, oracle_of, scene_of  # the tables are beside the tests that use them
+from planted_newer import NEWER
 
 from sss_ref.rendering.result import Result
 from sss_ref.validation.report.report import Report
@@ -28,7 +29,7 @@ def main() -> None:
     parser.add_argument("--only", default="", help="mistakes with this in their name")
     options = parser.parse_args()
     counts: Counter[str] = Counter()
-    for planted in (each for each in PLANTED if options.only in each.name):
+    for planted in (each for each in (*PLANTED, *NEWER) if options.only in each.name):
         start = time.perf_counter()
         report = validate(oracle(planted.scene, options.size), planted.drawn(scene_of(planted.scene, options.size)))
         outcome = outcome_of(planted, report)

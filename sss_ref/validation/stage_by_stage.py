@@ -24,6 +24,7 @@ from sss_ref.validation.accept.dumped import Buffers, Drawing, Stored
 from sss_ref.validation.accept.rebased import RASTERIZER, Check, checks, last_round
 from sss_ref.validation.cause.hypotheses import hypotheses
 from sss_ref.validation.cause.power import power
+from sss_ref.validation.cause.puzzle import Puzzle
 from sss_ref.validation.clock import Clock, Limit
 from sss_ref.validation.profile_file import profile_of
 from sss_ref.validation.report.report import Finding, Report
@@ -201,5 +202,5 @@ def _finding(case: Case, check: Check, verdict: Verdict, seconds: float) -> Find
     if not check.where.any():
         return Finding(check, (), section)
     limit = Limit(seconds)
-    found = hypotheses(case, check, drawn, all_stages(), limit)
+    found = hypotheses(Puzzle(case, check, drawn, all_stages(), limit))
     return Finding(check, tuple(found), section, limit.told)

@@ -22,7 +22,7 @@ class Device:
             return draw(self.scene, one, buffers, self.machine)
         clip_position, attributes = self.vertices(one, buffers)
         viewport = self.machine.viewport(self.scene, one)
-        primitives, placed = place(clip_position, attributes, self.scene.mesh.triangles, viewport)
+        primitives, placed = place(clip_position, attributes, self.scene.mesh_of(one).triangles, viewport)
         primitives = self.changed(primitives, placed, viewport)
         primitives = primitives_only(primitives, drawable(primitives))
         piece, depth = visibility(primitives, viewport, None)

@@ -78,7 +78,7 @@ def scene_of(name, side=64):
     sizes = {
         f"{table}.{axis}": side for table in ("camera", "shadow_map", "irradiance_map") for axis in ("width", "height")
     }
-    return load_scene(shipped, **sizes, **overrides)
+    return load_scene(shipped, **(sizes | overrides))
 
 
 def oracle_of(scene):

@@ -9,6 +9,10 @@ from devices import Device, as_it_is
 from sss_ref.rendering.fold import shaded
 
 
+class Count(int):
+    """A uniform that is a whole number."""
+
+
 @dataclass(frozen=True)
 class Mistake:
     """One thing that a port does otherwise, in the pass `where` ("" is every pass).
@@ -55,7 +59,7 @@ class Port(Device):
         """A pass as the mistake has it, and what it reads."""
         change, uniforms = self.mistake, self.right.uniforms
         values = {
-            name: np.asarray(uniforms[new] if isinstance(new, str) else new(uniforms[name]), np.float32)[()]
+            name: rounded(uniforms[new] if isinstance(new, str) else new(uniforms[name]))
             for name, new in dict(change.uniforms).items()
         }
         self.scene = replace(self.right, own_uniforms={**self.right.own_uniforms, **values})
@@ -71,3 +75,8 @@ def mistaken(stage, functions):
     if stage.name not in functions:
         return stage
     return replace(stage, python=wraps(stage.python)(functions[stage.name]))
+
+
+def rounded(value):
+    """A uniform: a count as it is, else float32."""
+    return value if isinstance(value, Count) else np.asarray(value, np.float32)[()]

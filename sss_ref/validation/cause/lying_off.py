@@ -13,7 +13,9 @@ from sss_ref.language.types import mat4
 from sss_ref.validation.cause.redrawn import Matrix, Redrawing, lies, seen_otherwise
 from sss_ref.validation.clock import Limit
 
+FAR, SAME_DEPTH = 1.0, 2.0**-14  # the depth where nothing is drawn, and from what on depths are others
 CLOSER, FARTHEST = 4, 8.0  # how often a fit is made anew, and how many pixels it may come to
+TRIMS = 4
 DECIMALS = 3  # of a pixel
 NOTICED = 2.0**-9  # pixels, and of a picture half of which is as wide as that by which it grows
 SEARCHED = 2.0 ** -np.arange(1, 8)  # pixels: the steps of a search, where no number has a slope
@@ -50,6 +52,18 @@ class Projected:
         """A picture that lies beside its place."""
         return LyingOff(f"{lies(x, y)}: a viewport, or a jitter left in {self.name}", self.uniforms(x, y))
 
+    def with_planes(self, slope: float, offset: float) -> LyingOff:
+        """A picture whose depths d (0 to 1) are slope * d + offset."""
+        matrix = self.right
+        ours = planes_of(matrix)
+        matrix[2] = slope * matrix[2] + (slope + 2 * offset - 1) * matrix[3]
+        there = planes_of(matrix)
+        if ours is None or there is None:
+            text = f"{self.name} has other near and far planes: depths are {slope:.4g} * d + {offset:.4g}"
+        else:
+            text = f"{self.name} has near {there[0]:.3g} and far {there[1]:.3g}, not {ours[0]:.3g} and {ours[1]:.3g}"
+        return LyingOff(text, {self.name: matrix.astype(np.float32)})
+
     def larger(self, scale: float) -> LyingOff:
         """A picture of another size."""
         text = f"{self.name} is {seen_otherwise(self.right)} {1 / scale:.4g} times as large"
@@ -67,6 +81,21 @@ def lying_off(todo: Redrawing, limit: Limit) -> Iterator[LyingOff]:
         scale = _fitted_scale(draw)
         if abs(scale - 1) >= NOTICED:
             yield draw.larger(scale)
+        slope, offset = _fitted_depths(draw)
+        if max(abs(slope - 1), abs(offset)) >= SAME_DEPTH:
+            yield draw.with_planes(slope, offset)
+
+
+def planes_of(clip_from_model: Matrix) -> tuple[float, float] | None:
+    """The distances at which z is -w and w; None where w is the same all over, which says nothing of distances."""
+    z, w = clip_from_model[2], clip_from_model[3]
+    if not w[:3].any():
+        return None
+    slope = float(z[:3] @ w[:3] / (w[:3] @ w[:3]))  # z = slope * w + offset
+    offset = float(z[3] - slope * w[3])
+    with np.errstate(divide="ignore"):
+        near, far = -np.divide(offset, (slope + 1, slope - 1))
+    return float(near), float(far)
 
 
 def fitted_shift(draw: Projected, limit: Limit) -> tuple[float, float]:
@@ -98,6 +127,20 @@ def _fitted_scale(draw: Projected) -> float:
     return scale
 
 
+def _fitted_depths(draw: Projected) -> tuple[float, float]:
+    """The slope and offset that make our depths those that were dumped, where both drew; 1 and 0 where none were."""
+    todo = draw.todo.of(draw.todo.this_pass.draw.depth)
+    got = todo.case.drawing.buffers.get(todo.buffer)
+    if got is None:
+        return 1.0, 0.0
+    ours = todo.draw().astype(np.float64)
+    both = (ours < FAR) & (got < FAR)
+    if not both.any() or np.ptp(ours[both]) == 0:
+        return 1.0, 0.0
+    slope, offset = np.polyfit(ours[both], got[both].astype(np.float64), 1)
+    return float(slope), float(offset)
+
+
 Regressors = Callable[[np.ndarray, np.ndarray], list[np.ndarray]]  # of the slopes to the right and up, (H, W, C)
 
 
@@ -112,7 +155,7 @@ def _from_the_middle(right: np.ndarray, up: np.ndarray) -> list[np.ndarray]:
 
 
 def _fit(todo: Redrawing, uniforms: Mapping[str, Any], regressors: Regressors) -> np.ndarray:
-    """How far what was dumped lies from what these uniforms draw, by least squares on the smoother half."""
+    """How far what was dumped lies from what these uniforms draw, on the smoother half."""
     got, drawn = todo.case.drawing.buffers[todo.buffer], todo.draw(uniforms)
     with np.errstate(all="ignore"):
         picture = np.atleast_3d(drawn).astype(np.float64)
@@ -124,8 +167,16 @@ def _fit(todo: Redrawing, uniforms: Mapping[str, Any], regressors: Regressors) -
     if not seen.any():
         return np.zeros(len(moves))
     smooth = seen & (bent <= np.median(bent[seen]))
-    slopes = np.stack([each[smooth] for each in moves], axis=-1)
-    fitted: np.ndarray = np.linalg.lstsq(slopes, off[smooth], rcond=None)[0]
+    return _trimmed(np.stack([each[smooth] for each in moves], axis=-1), off[smooth])
+
+
+def _trimmed(slopes: np.ndarray, off: np.ndarray) -> np.ndarray:
+    """The solution of slopes . x = off by least squares, where several times the worse half has been left out."""
+    kept, fitted = np.ones(len(off), bool), np.zeros(slopes.shape[1])
+    for _ in range(TRIMS):
+        fitted = np.linalg.lstsq(slopes[kept], off[kept], rcond=None)[0]
+        beside = np.abs(slopes @ fitted - off)
+        kept = beside <= np.median(beside)
     return fitted
 
 

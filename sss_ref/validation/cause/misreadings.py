@@ -81,6 +81,20 @@ def _along_axis(right: Any, given: Given) -> Any:
     return dot(given["fragment_position"] - at, normalize(vec3(-at.x, -at.y, -at.z)))
 
 
+def _hard_edges(right: Any, given: Given) -> Any:
+    seen = given["light_visible"]
+    any_light = vec3(*(np.where(part > 0, ONE, ZERO) for part in (seen.x, seen.y, seen.z)))
+    return right({**given, "light_visible": any_light})[0]
+
+
+def _undivided_wrap(right: Any, given: Given) -> Any:
+    return right({**given, "translucency_scale": given["translucency_scale"] * (ONE + given["wrap"])})[0]
+
+
+def _unfaded(right: Any, given: Given) -> Any:
+    return given["lit"] + given["inner_lit"]
+
+
 def _lookup(change: Callable[[Any, Any], Any]) -> Callable[[Any, Given], Any]:
     """What the shadow map holds beside the place that a fragment falls on."""
 
@@ -192,6 +206,10 @@ MISREADINGS = (
     Misreading("it is half Lambert: (N.L * 0.5 + 0.5)^2", "phong", _wrapped(2)),
     Misreading("V is normalize(camera_position), as if the eye were a direction", "phong", _eye_as_direction),
     Misreading("the thickness is D - t, with its sign, not |P - B|", "thickness", _difference),
+    Misreading("the shadow has hard edges: it is lit where any light is seen", "lit", _hard_edges),
+    Misreading("what wraps round is not divided by 1 + wrap", "lit", _undivided_wrap),
+    Misreading("what wraps round is not divided by 1 + wrap", "irradiance_used", _undivided_wrap),
+    Misreading("nothing fades between the two bodies", "seen", _unfaded),
     Misreading("the Gaussians are e^(-d^2/(2*v))", "translucency", _other_variances(lambda v: v + v)),
     Misreading("v is a standard deviation: e^(-d^2/(v*v))", "translucency", _other_variances(lambda v: v * v)),
     Misreading("all channels have the weights of red", "translucency", _red_for_all("gaussian_weight")),
@@ -210,7 +228,7 @@ MISREADINGS = (
     ),
     *(
         misreading
-        for output in ("scattered", "scattered_irradiance")
+        for output in ("scattered", "scattered_irradiance", "light_visible")
         for misreading in (
             Misreading("the last tap is left out", output, _fewer_taps),
             Misreading("it is blurred in gamma space", output, _in_gamma_space),

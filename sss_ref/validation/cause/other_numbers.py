@@ -1,41 +1,82 @@
 """Another number for a uniform: the one with which most comes within reach, if it can mean anything."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from typing import Any
 
 import numpy as np
 
+from sss_ref.language.names import Name
 from sss_ref.language.types import Array, Texture, components, mat3, mat4
+from sss_ref.validation.cause.hypothesis import ENOUGH, FITTED, NUMBER, Hypothesis
 from sss_ref.validation.cause.sample import Fit, Sample
 from sss_ref.validation.clock import Limit
 
 NUMBERS, CLOSER = 9, 12  # tried on each side of the best one at a time, and how often
 NEVER_WRONG = ("light_count",)  # uniforms that nobody sets by hand
 
+TINY = float(np.finfo(np.float32).tiny)  # the smallest that is more than nothing
+
 MEANING = {  # uniform -> the ends of what it can mean; others may be any number
     **dict.fromkeys(("ambient", "diffuse", "specular", "bias_abs", "bias_slope", "d_min"), (0.0, np.inf)),
-    **dict.fromkeys(("shininess", "x", "exponent", "light_texel_size", "pixel_scale"), (0.0, np.inf)),
-    **dict.fromkeys(("camera_pixel_size", "mm_per_unit", "mm_per_offset"), (0.0, np.inf)),
+    **dict.fromkeys(("x", "exponent", "wrap", "lookup_depth"), (0.0, np.inf)),
+    **dict.fromkeys(("shininess", "light_texel_size", "pixel_scale", "kernel_scale"), (TINY, np.inf)),
+    **dict.fromkeys(("camera_pixel_size", "mm_per_unit", "mm_per_offset"), (TINY, np.inf)),
     **dict.fromkeys(("light_intensity", "light_color", "translucency_scale"), (0.0, np.inf)),
     **dict.fromkeys(("mesh_color", "background"), (0.0, 1.0)),
     "lookup_inset": (0.5, 1.5),
     "normal_scale": (0.0, np.inf),  # a map with green pointing down has a name of its own
 }
+Number = tuple[np.float32, ...]  # the components of a uniform
 
 
-def other_numbers(sample: Sample, limit: Limit) -> Iterator[tuple[str, Fit]]:
-    """Another value of one uniform number, or of one after the other component of a uniform vector."""
+def other_numbers(sample: Sample, limit: Limit) -> Iterator[Hypothesis]:
+    """Another value of one uniform number, or of one after the other component of a uniform vector.
+
+    Those that somebody writes by mistake come before those that fit best, and of these the ones with few digits.
+    """
     few = sample.thinned()
     for own in limit.within("numbers", _own_numbers(sample)):
-        parts = components(sample.given[own])
-        found = list(parts)
-        for k, part in enumerate(parts):
-            found[k] = np.float32(_fitted(partial(_misfits, few, own, tuple(found), k), part))
-        low, high = MEANING.get(own, (-np.inf, np.inf))
-        if all(low <= number <= high for number in found):
-            fit = sample.fit(_with_number(sample, own, tuple(found), 0, found[0]))
-            yield f"{sample.stage.reads[own]} is {_listed(found)} instead of {_listed(parts)}", fit
+        parts = tuple(map(np.float32, components(sample.given[own])))
+        simple = NUMBER if len(parts) == 1 else FITTED  # nobody turns a position round, or sets it to 0
+        for rank, kind in ((simple, _simple(parts)), (FITTED, _closest(few, own, parts))):
+            told = _first_that_fits(sample, few, own, (each for each in kind if each != parts))
+            if told is not None:
+                found, fit = told
+                text = f"{sample.stage.reads[own]} is {_listed(found)} instead of {_listed(parts)}"
+                yield Hypothesis(text, *fit, rank)
+                break
+
+
+def _first_that_fits(sample: Sample, few: Sample, own: str, tried: Iterable[Number]) -> tuple[Number, Fit] | None:
+    """The first of some values of a uniform that can mean anything and explains what is wrong."""
+    low, high = MEANING.get(Name.of(own).base, (-np.inf, np.inf))
+    for number in (each for each in tried if all(low <= part <= high for part in each)):
+        near, whole = (part.fit(_with_number(part, own, number, 0, number[0])) for part in (few, sample))
+        if min(*near, *whole) >= ENOUGH:
+            return number, whole
+    return None
+
+
+def _simple(parts: Number) -> Iterator[Number]:
+    """Nothing, one, the other sign, twice and half as much."""
+    yield (np.float32(0),) * len(parts)
+    yield (np.float32(1),) * len(parts)
+    for factor in (-1.0, 2.0, 0.5):
+        yield tuple(np.float32(factor) * part for part in parts)
+
+
+def _closest(few: Sample, own: str, parts: Number) -> Iterator[Number]:
+    """The value of a uniform with which most comes within reach, component after component.
+
+    First rounded to two, three and four digits, then as it is.
+    """
+    found = list(parts)
+    for k, part in enumerate(parts):
+        found[k] = np.float32(_fitted(partial(_misfits, few, own, tuple(found), k), part))
+    for digits in (2, 3, 4):
+        yield tuple(np.float32(f"{float(part):.{digits}g}") for part in found)
+    yield tuple(found)
 
 
 def _own_numbers(sample: Sample) -> Iterator[str]:
@@ -46,7 +87,7 @@ def _own_numbers(sample: Sample) -> Iterator[str]:
             yield own
 
 
-def _listed(parts: list[Any]) -> str:
+def _listed(parts: Number) -> str:
     texts = [f"{float(part):.6g}" for part in parts]
     return texts[0] if len(texts) == 1 else f"({', '.join(texts)})"
 

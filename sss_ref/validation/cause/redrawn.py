@@ -10,7 +10,8 @@ import numpy as np
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.interpret.work import Fragments
 from sss_ref.language.names import Name
-from sss_ref.language.pipeline import Pass
+from sss_ref.language.pipeline import MeshDraw, Pass
+from sss_ref.language.stage import Stage
 from sss_ref.language.types import mat3, mat4
 from sss_ref.raster.primitives import Primitives, drawable, only, place
 from sss_ref.raster.rasterize import visibility
@@ -46,6 +47,11 @@ class Redrawing:
     def of(self, buffer: str) -> "Redrawing":
         """The same of another buffer of the pass."""
         return replace(self, buffer=buffer)
+
+    def with_vertex(self, stage: Stage) -> "Redrawing":
+        """The same with another vertex stage."""
+        assert isinstance(self.this_pass.draw, MeshDraw)
+        return replace(self, this_pass=replace(self.this_pass, draw=replace(self.this_pass.draw, vertex=stage)))
 
     def scene(self, uniforms: Mapping[str, Any]) -> Scene:
         """The scene with other uniforms."""
@@ -92,9 +98,14 @@ def redrawings(todo: Redrawing) -> Iterator[tuple[str, Callable[[], np.ndarray]]
 def _matrices(todo: Redrawing) -> Iterator[tuple[str, Mapping[str, Any]]]:
     """Every matrix of the vertex stage made another one."""
     uniforms = todo.case.oracle.scene.uniforms
+    width, height = todo.case.oracle.scene.size(todo.this_pass)
     for name in (name for name, kind in todo.this_pass.draw.reads.items() if kind in (mat3, mat4)):
         for text, matrix in other_matrices(name, uniforms):
             yield text, {name: matrix}
+        if "clip_from" in name and width != height:
+            for text, factor in (("left out", width / height), ("turned round", (width / height) ** 2)):
+                matrix = np.diag([factor, 1, 1, 1]) @ np.asarray(uniforms[name], np.float64)
+                yield f"{name} is of another aspect ratio: it is {text}", {name: matrix.astype(np.float32)}
 
 
 def other_matrices(name: str, uniforms: Mapping[str, Any]) -> Iterator[tuple[str, Matrix]]:

@@ -9,9 +9,10 @@ import numpy as np
 from sss_ref.language import Stage
 from sss_ref.language.types import Vector
 from sss_ref.validation.accept.drawn_pass import DrawnPass
-from sss_ref.validation.accept.known import stacked
+from sss_ref.validation.accept.known import Pixels, stacked
 from sss_ref.validation.accept.rebased import Check
 from sss_ref.validation.accept.walk import run_stage
+from sss_ref.validation.cause.chain import Chain, chain_of
 
 SAMPLE = 600  # pixels on which explanations are tried
 EVERY = 15  # of these the ones on which a mutant is tried first
@@ -21,14 +22,16 @@ Fit = tuple[float, float]  # shares of the wrong pixels brought within reach, an
 
 @dataclass(frozen=True)
 class Sample:
-    """A stage at some pixels of a buffer that it got wrong.
+    """A stage, or a chain of them, at some pixels of a buffer that it got wrong.
 
-    inputs: what the stage reads, one value for each parameter. got: (N, C). reach: float64 (N, C). wrong: bool (N,).
+    inputs: what the stage reads, one value for each parameter. at: the pixels. got: (N, C). reach: float64 (N, C).
+    wrong: bool (N,).
     """
 
-    stage: Stage
+    stage: Stage | Chain
     inputs: list[Any]
     name: str
+    at: Pixels
     got: np.ndarray
     reach: np.ndarray
     wrong: np.ndarray
@@ -44,7 +47,7 @@ class Sample:
         """The inputs by the stage's own names."""
         return dict(zip(self.stage.parameters, self.inputs, strict=True))
 
-    def with_inputs(self, changed: Mapping[str, Any], stage: Stage | None = None) -> np.ndarray:
+    def with_inputs(self, changed: Mapping[str, Any], stage: Stage | Chain | None = None) -> np.ndarray:
         """What the stage, or another one, gives when inputs, by its own names, are others."""
         given, stage = {**self.given, **changed}, stage or self.stage
         results = stage.run([given[own] for own in stage.parameters])
@@ -60,7 +63,8 @@ class Sample:
 
     def _each(self, change: Callable[[np.ndarray], np.ndarray]) -> "Sample":
         inputs = [_of_pixels(change, value) for value in self.inputs]
-        return Sample(self.stage, inputs, self.name, change(self.got), change(self.reach), change(self.wrong))
+        at = change(self.at[0]), change(self.at[1])
+        return Sample(self.stage, inputs, self.name, at, change(self.got), change(self.reach), change(self.wrong))
 
     @property
     def own_name(self) -> str:
@@ -85,11 +89,27 @@ def sample_of(check: Check, drawn: DrawnPass, wrong: np.ndarray) -> Sample | Non
     """Half of the sample from the wrong pixels, half from the right ones, as far as there are any."""
     if check.stage not in {stage.name for stage in drawn.this_pass.stages}:
         return None
+    at = _chosen(check, wrong)
+    run = run_stage(drawn, at, check.buffer)
+    return _sampled(check, run.stage, run.inputs, at, wrong)
+
+
+def chain_sample_of(check: Check, drawn: DrawnPass, wrong: np.ndarray) -> Sample | None:
+    """The same of the stage with those before it whose results were not dumped; None where there are none."""
+    if sum(check.buffer in stage.writes.values() for stage in drawn.this_pass.stages) == 0:
+        return None
+    at = _chosen(check, wrong)
+    chain, inputs = chain_of(drawn, check.buffer, at)
+    return _sampled(check, chain, inputs, at, wrong) if chain.before else None
+
+
+def _chosen(check: Check, wrong: np.ndarray) -> Pixels:
     rng = np.random.default_rng(0)
     sorts = [pixels for pixels in (np.argwhere(wrong), np.argwhere(check.where & ~wrong)) if len(pixels)]
-    chosen = [pixels[rng.integers(0, len(pixels), SAMPLE // 2)] for pixels in sorts]
-    rows, columns = np.concatenate(chosen).T
-    at = (rows, columns)
-    run = run_stage(drawn, at, check.buffer)
+    rows, columns = np.concatenate([pixels[rng.integers(0, len(pixels), SAMPLE // 2)] for pixels in sorts]).T
+    return rows, columns
+
+
+def _sampled(check: Check, stage: Stage | Chain, inputs: list[Any], at: Pixels, wrong: np.ndarray) -> Sample:
     got, reach = (np.atleast_3d(array)[at].astype(np.float64) for array in (check.got, check.reach))
-    return Sample(run.stage, run.inputs, check.buffer, got, reach, wrong[at])
+    return Sample(stage, inputs, check.buffer, at, got, reach, wrong[at])

@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 
 from sss_ref.explanation.rows import Section
 from sss_ref.validation.accept.rebased import Check
-from sss_ref.validation.cause.hypotheses import TELLING, Hypothesis
+from sss_ref.validation.cause.hypotheses import TELLING
+from sss_ref.validation.cause.hypothesis import Hypothesis
 from sss_ref.validation.cause.power import Power
 from sss_ref.validation.report.metrics import Likeness
 from sss_ref.validation.verdict.verdict import Verdict

@@ -1,0 +1,63 @@
+"""What the draw of the mesh may have done otherwise: its matrices, its viewport, its vertex stage, its state."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from sss_ref.validation.accept.rebased import RASTERIZER
+from sss_ref.validation.cause.hypothesis import MUTANT, NUMBER, STATE, Hypothesis, any_of, fitting
+from sss_ref.validation.cause.lying_off import lying_off
+from sss_ref.validation.cause.mishaps import SAME_DEPTH, mishaps
+from sss_ref.validation.cause.on_the_way import within
+from sss_ref.validation.cause.puzzle import Puzzle
+from sss_ref.validation.cause.redrawn import Redrawing, redrawings
+from sss_ref.validation.cause.sample import Fit, fit_of
+from sss_ref.validation.cause.vertex_stages import vertex_stages
+from sss_ref.validation.verdict.outcomes import FAIL, outcome_map
+
+LIKELY = 0.3  # of the wrong pixels and of the right ones that a draw explains before it is judged with all its snaps
+
+
+def of_draws(puzzle: Puzzle) -> Iterator[Hypothesis]:
+    """What the draw of the mesh may have done otherwise; what was measured makes other offsets needless."""
+    check, drawn, limit = puzzle.check, puzzle.drawn, puzzle.limit
+    measured = [*_lying_off(puzzle)]
+    yield from measured
+    if fitting(measured):
+        return
+    for text, draw in limit.within("draws", redrawings(_redrawing(puzzle))):
+        holds = within(check, check.got, draw())
+        if check.buffer == drawn.this_pass.draw.depth:
+            holds |= np.abs(check.got.astype(np.float64) - draw()) <= SAME_DEPTH
+        yield Hypothesis(text, *puzzle.fit(holds), NUMBER if " is " in text else STATE)
+    if check.stage == RASTERIZER and drawn.visible:
+        for text, same in limit.within("mishaps of the draw", mishaps(drawn.visible, check.buffer, check.got)):
+            yield Hypothesis(text, *puzzle.fit(same))
+
+
+def _redrawing(puzzle: Puzzle) -> Redrawing:
+    return Redrawing(puzzle.case, puzzle.drawn.this_pass, puzzle.check.buffer)
+
+
+def _lying_off(puzzle: Puzzle) -> Iterator[Hypothesis]:
+    """A picture that lies off by a part of a pixel, judged as one drawn so, wherever its corners snap."""
+    check, todo = puzzle.check, _redrawing(puzzle)
+    profile = replace(puzzle.case.profile, snap="any")
+    for each in puzzle.limit.within("offsets of the draw", lying_off(todo, puzzle.limit)):
+        if min(puzzle.fit(within(check, check.got, todo.draw(each.uniforms)))) >= LIKELY:
+            again = todo.judged(each.uniforms, profile)
+            both = check.where & again.where
+            fit = fit_of((outcome_map(again) != FAIL)[both], puzzle.wrong[both])
+            yield Hypothesis(each.text, *fit, NUMBER if " is " in each.text else STATE)
+
+
+def of_vertices(puzzle: Puzzle) -> Iterator[Hypothesis]:
+    """Mistakes in the vertex stage; those that draw the same are one explanation."""
+    check, todo, alike = puzzle.check, _redrawing(puzzle), dict[bytes, tuple[Fit, list[str]]]()
+    (vertex,) = todo.this_pass.draw.vertex_stages
+    for text, stage in puzzle.limit.within("mistakes in the vertex stage", vertex_stages(vertex)):
+        drawn = todo.with_vertex(stage).draw()
+        alike.setdefault(drawn.tobytes(), (puzzle.fit(within(check, check.got, drawn)), []))[1].append(text)
+    for fit, texts in alike.values():
+        yield Hypothesis(any_of(texts), *fit, MUTANT)

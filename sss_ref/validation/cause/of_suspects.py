@@ -1,0 +1,66 @@
+"""What may be wrong with the stages before the one that is wrong, as far as nobody has seen what they gave."""
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from sss_ref.language import Stage
+from sss_ref.validation.cause.chain import Chain
+from sss_ref.validation.cause.hypothesis import ENOUGH, MUTANT, NUMBER, STAGE, Hypothesis, any_of
+from sss_ref.validation.cause.mistaken import stages_instead, stages_misread, stages_mutated
+from sss_ref.validation.cause.of_stages import Tried, other_buffers, other_uniforms
+from sss_ref.validation.cause.other_numbers import other_numbers
+from sss_ref.validation.cause.puzzle import Puzzle
+from sss_ref.validation.cause.sample import Sample
+from sss_ref.validation.clock import Limit
+
+Mistakes = Callable[[Stage], Iterator[tuple[str, Stage]]]
+
+
+def of_suspects(row: Sample, puzzle: Puzzle) -> Iterator[Hypothesis]:
+    """What may be wrong with the stages before, whose results were not dumped, or with what all of them read."""
+    yield from other_numbers(row, puzzle.limit)
+    kinds = (
+        (NUMBER, other_uniforms(row, puzzle.case)),
+        (NUMBER, other_buffers(row, puzzle.case)),
+        (STAGE, _before(row, stages_misread)),
+        (STAGE, _before(row, lambda stage: stages_instead(stage, puzzle.others))),
+    )
+    for rank, tried in puzzle.limit.within("kinds of mistakes in stages before", kinds):
+        yield from (Hypothesis(text, *fit, rank) for text, fit in tried)
+
+
+def mutated_suspects(row: Sample, limit: Limit) -> Iterator[Hypothesis]:
+    """Mistakes in the source of the stages before the last; those that compute the same are one explanation."""
+    few, alike = row.thinned(), dict[bytes, tuple[Chain, list[str]]]()
+    for text, chain in limit.within("mistakes in the source of stages before", _chains(row, stages_mutated)):
+        values = _carried(few, chain)
+        if values is not None and min(few.fit(values)) >= ENOUGH:
+            alike.setdefault(values.tobytes(), (chain, []))[1].append(text)
+    for chain, texts in alike.values():
+        whole = _carried(row, chain)
+        if whole is not None:
+            yield Hypothesis(any_of(texts), *row.fit(whole), MUTANT)
+
+
+def _before(row: Sample, mistakes: Mistakes) -> Tried:
+    """Mistakes in the stages of a chain before its last."""
+    for text, chain in _chains(row, mistakes):
+        values = _carried(row, chain)
+        if values is not None:
+            yield text, row.fit(values)
+
+
+def _chains(row: Sample, mistakes: Mistakes) -> Iterator[tuple[str, Chain]]:
+    assert isinstance(row.stage, Chain)
+    for number, stage in enumerate(row.stage.before):
+        for text, wrong in mistakes(stage):
+            yield text, row.stage.with_stage(number, wrong)
+
+
+def _carried(sample: Sample, chain: Chain) -> np.ndarray | None:
+    """What a chain gives; None where it reads beside a texture or array, or what it has not."""
+    try:
+        return sample.with_inputs({}, chain)
+    except (IndexError, KeyError, ValueError, TypeError):
+        return None
