@@ -67,9 +67,10 @@ class DrawnPass:
         return known
 
     def results(self, stage: Stage, inputs: Sequence[Any], at: Pixels) -> dict[str, Any]:
-        """What a stage gives exactly, buffer -> value: what the oracle's gave where it reads the same."""
+        """What a stage gives exactly, buffer -> value: what the oracle's gave where it ran and read the same."""
         kinds = {name: stage.outputs[own] for own, name in stage.writes.items()}
-        if not (self._as_in_the_oracle.issuperset(stage.reads.values()) and set(kinds) <= set(self.oracle)):
+        alike = self._as_in_the_oracle.issuperset(stage.reads.values()) and set(kinds) <= set(self.oracle)
+        if not (alike and self.work.fragments.where[at].all()):
             return stage.run(inputs)
         return {name: buffer_value(kind, self.oracle[name], *at) for name, kind in kinds.items()}
 
