@@ -74,7 +74,8 @@ class Planted:
 
 def scene_of(name, side=64):
     """One of SCENES, so many pixels wide and high."""
-    shipped, overrides = SCENES[name]
+    shipped, given = SCENES[name]
+    overrides = given(side) if callable(given) else given
     sizes = {
         f"{table}.{axis}": side for table in ("camera", "shadow_map", "irradiance_map") for axis in ("width", "height")
     }

@@ -17,7 +17,7 @@ SCENES |= {
     "soft": ("figure3_with", BUST | {"shadow_map.test": "kernel"}),
     "in mm": ("figure3_with", BUST),
     "moved": ("figure3_with", BUST | {"mesh.translate": [0.2, 0.1, -0.1]}),
-    "wide": ("figure3_with", BUST | {"camera.height": 24, "shadow_map.height": 24}),
+    "wide": ("figure3_with", lambda side: BUST | {"camera.height": side // 2}),
     "layers": ("teeth_layers", {"mm_per_unit": 1.25}),
 }
 LIT_ALONE = ("lit", "scattered", "image")

@@ -14,9 +14,9 @@ from sss_ref.validation.cause.redrawn import Matrix, Redrawing, lies, seen_other
 from sss_ref.validation.clock import Limit
 
 FAR, SAME_DEPTH = 1.0, 2.0**-14  # the depth where nothing is drawn, and from what on depths are others
-CLOSER, FARTHEST = 4, 8.0  # how often a fit is made anew, and how many pixels it may come to
+CLOSER, FARTHEST = 6, 8.0  # how often a fit is made anew, and how many pixels it may come to
 TRIMS = 4
-DECIMALS = 3  # of a pixel
+DECIMALS, AS_GOOD_AS = 3, 0.005  # of a pixel, and pixels
 NOTICED = 2.0**-9  # pixels, and of a picture half of which is as wide as that by which it grows
 SEARCHED = 2.0 ** -np.arange(1, 8)  # pixels: the steps of a search, where no number has a slope
 AROUND = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if (x, y) != (0, 0)]
@@ -106,8 +106,14 @@ def fitted_shift(draw: Projected, limit: Limit) -> tuple[float, float]:
     shift = np.zeros(2)
     for _ in range(CLOSER):
         shift += _fit(with_slopes[0], draw.uniforms(*shift), _along_both)
-    x, y = np.clip(shift, -FARTHEST, FARTHEST).round(DECIMALS)
-    return float(x), float(y)
+    x, y = np.clip(shift, -FARTHEST, FARTHEST)
+    return _likely(x), _likely(y)
+
+
+def _likely(offset: float) -> float:
+    """The half or whole pixel that was measured, or else what was, to a thousandth."""
+    half = round(2 * offset) / 2
+    return half if abs(offset - half) <= AS_GOOD_AS else round(float(offset), DECIMALS)
 
 
 def _with_slopes(todo: Redrawing) -> list[Redrawing]:
