@@ -14,12 +14,14 @@ from sss_ref.batch.plan import Plan
 from sss_ref.batch.sweep_file import Sweep
 from sss_ref.errors import SssRefError
 from sss_ref.errors.wording import told
+from sss_ref.mesh.triangles import Mesh
 from sss_ref.rendering.fold import render
 from sss_ref.results.whole_folder import appearing
 from sss_ref.scene.load import read_mesh, scene_of
 from sss_ref.scene_file.reading import Document, opened
 
 MESHES = 8  # that are kept at once
+UNFINISHED = ".items"  # in a batch's folder: what is being written, so that no writer need search among all items
 
 
 @dataclass(frozen=True)
@@ -69,6 +71,7 @@ class Workshop:
         self.job = job
         self.plan = Plan(job.sweep)
         self.mesh = lru_cache(MESHES)(read_mesh)
+        self.hashes = lru_cache(MESHES)(Mesh.hashes)
         self.arrays = ItemArrays(job.folder, len(self.plan)) if "zarr" in job.sweep.outputs else None
 
     @cached_property
@@ -80,7 +83,7 @@ class Workshop:
         """Render an item, or find it complete. Raises SssRefError."""
         job = self.job
         scene = scene_of(self.document, self.plan.overrides(item), self.mesh)
-        inputs = scene.input_hashes()
+        inputs = scene.input_hashes(self.hashes)
         name = item_name(scene, inputs)
         folder = item_folder(job.folder, name)
         found = read_record(folder)
@@ -89,7 +92,7 @@ class Workshop:
         start = time.perf_counter()
         result = render(scene, job.interpreter, job.threads, job.sweep.keep)
         record = record_of(result, inputs, time.perf_counter() - start)
-        with appearing(folder) as part:
+        with appearing(folder, job.folder / UNFINISHED) as part:
             write_outputs(result, job.sweep.outputs, part)
             if self.arrays:
                 self.arrays.write(item, name, result.buffers)

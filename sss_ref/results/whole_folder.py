@@ -1,7 +1,6 @@
 """Folders that appear whole or not at all, and never in the place of somebody else's files."""
 
 import errno
-import glob
 import os
 import random
 import shutil
@@ -38,15 +37,18 @@ def writable(folder: Path, is_ours: Callable[[Path], bool], ours: str) -> Path:
 
 
 @contextmanager
-def appearing(folder: Path) -> Iterator[Path]:
-    """A hidden folder beside `folder` to write into; it takes its place at the end, or vanishes if writing fails.
+def appearing(folder: Path, place: Path | None = None) -> Iterator[Path]:
+    """A hidden folder to write into; it takes the place of `folder` at the end, or vanishes if writing fails.
 
+    place: the folder that it is in meanwhile, on the same file system; that of `folder` unless told otherwise.
     Several writers do not disturb each other: the last one stays. What a killed one has left behind goes with the next.
     """
     try:
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        _remove_leftovers(folder)
-        with _own_lock(folder) as lock:
+        place = place or folder.parent
+        for needed in (folder.parent, place):
+            needed.mkdir(parents=True, exist_ok=True)
+        _remove_leftovers(folder, place)
+        with _own_lock(folder, place) as lock:
             hidden = lock.with_suffix(HIDDEN)
             try:
                 part = hidden / "content"
@@ -89,9 +91,10 @@ def _put_by_two_renames(part: Path, folder: Path, old: Path) -> None:
         raise
 
 
-def _remove_leftovers(folder: Path) -> None:
+def _remove_leftovers(folder: Path, place: Path) -> None:
     """Remove what writers that are no more have left: their locks are free. An earlier result is put back."""
-    for lock in folder.parent.glob(f".{glob.escape(folder.name)}.*{LOCK}"):
+    begun = [name for name in os.listdir(place) if name.startswith(f".{folder.name}.") and name.endswith(LOCK)]
+    for lock in (place / name for name in begun):
         hidden = lock.with_suffix(HIDDEN)
         try:
             with lock.open("r+") as file:
@@ -106,13 +109,13 @@ def _remove_leftovers(folder: Path) -> None:
 
 
 @contextmanager
-def _own_lock(folder: Path) -> Iterator[Path]:
-    """A file beside `folder` that this writer holds until the end; free again when the process ends, however it ends.
+def _own_lock(folder: Path, place: Path) -> Iterator[Path]:
+    """A file for `folder` that this writer holds until the end; free again when the process ends, however it ends.
 
     One that was taken for a leftover before it was held is given up for another.
     """
     while True:
-        number, name = tempfile.mkstemp(prefix=f".{folder.name}.", suffix=LOCK, dir=folder.parent)
+        number, name = tempfile.mkstemp(prefix=f".{folder.name}.", suffix=LOCK, dir=place)
         with os.fdopen(number, "r+") as file:
             try:
                 _hold(file)

@@ -13,11 +13,10 @@ from sss_ref.mesh.recent_meshes import recent_mesh
 from sss_ref.mesh.tangents import with_tangents
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.mesh.unwrap import unwrapped
-from sss_ref.scene.albedo import albedo_of, albedo_warnings
+from sss_ref.scene.albedo import albedo_of
 from sss_ref.scene.placed_mesh import PlacedMesh
 from sss_ref.scene.scene import Scene
 from sss_ref.scene.surface_maps import normal_map_of, specular_map_of
-from sss_ref.scene.surprises import surprises, surprises_inside
 from sss_ref.scene_file.quantities import FLOAT32_OVERFLOW
 from sss_ref.scene_file.reading import Document, opened, validated
 from sss_ref.scene_file.settings import MeshSettings, SceneFile, ShadowMap
@@ -95,11 +94,6 @@ def _assembled(settings: SceneFile, document: Document, mesh: Mesh, inner: Mesh 
         found["camera"],
         lights,
         found[color],
-        (
-            *albedo_warnings(place, mesh),
-            *surprises(resolved, surface, found["camera"], lights),
-            *(line for layer in inside for line in surprises_inside(surface, layer)),
-        ),
         {key: found[f"mesh.{key}"] for key in MAPS if f"mesh.{key}" in found},
         inner,
     )

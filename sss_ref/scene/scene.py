@@ -1,6 +1,6 @@
 """A scene together with the passes it will draw: what every renderer of this package asks."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -14,10 +14,13 @@ from sss_ref.language.pipeline import INNER_MESH, MESH, Method, Pass
 from sss_ref.mesh.triangles import Mesh, array_hash
 from sss_ref.methods.parallel_views import with_parallel_rays
 from sss_ref.passes.buffers import described
+from sss_ref.scene.albedo import albedo_warnings
 from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.forms import Form, forms_of, size_of
+from sss_ref.scene.placed_mesh import PlacedMesh
 from sss_ref.scene.spreading import curvatures_of
 from sss_ref.scene.stages_replaced import with_stages
+from sss_ref.scene.surprises import surprises, surprises_inside
 from sss_ref.scene.uniforms import of_inner_body, stretch, uniforms_of
 from sss_ref.scene.until import buffers_kept, buffers_until
 from sss_ref.scene_file.settings import SceneFile
@@ -36,11 +39,21 @@ class Scene:
     camera: View
     lights: tuple[Light, ...]
     albedo: Mapping[str, NDArray[Any]]  # the uniforms of the surface's colour, see albedo_of
-    warnings: tuple[str, ...]  # what is drawn all the same, but may surprise
     maps: Mapping[str, NDArray[np.float32]] = field(default_factory=dict)  # pictures of its detail, see maps_of
     inner_mesh: Mesh | None = None  # the layer inside the mesh, at the same place
     own_stages: Mapping[str, Stage] = field(default_factory=dict)  # name of a stage -> the user's in its place
     own_uniforms: Mapping[str, Any] = field(default_factory=dict)  # what those read: name -> float32
+
+    @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        """What is drawn all the same, but may surprise."""
+        surface = PlacedMesh(self.mesh, self.world_from_model)
+        inside = [PlacedMesh(self.inner_mesh, self.world_from_model)] if self.inner_mesh else []
+        return (
+            *albedo_warnings(self.settings.mesh, self.mesh),
+            *surprises(self.settings, surface, self.camera, self.lights),
+            *(line for layer in inside for line in surprises_inside(surface, layer)),
+        )
 
     @cached_property
     def method(self) -> Method:
@@ -98,12 +111,15 @@ class Scene:
         """The buffers up to a pass, a stage or a buffer; see `buffers_until`. Raises SceneError for any other name."""
         return buffers_until(self.method, end)
 
-    def input_hashes(self) -> dict[str, str]:
-        """Name of everything that was read from a mesh or texture file -> its `array_hash` after decoding (rule A5)."""
+    def input_hashes(self, hashes_of: Callable[[Mesh], dict[str, str]] = Mesh.hashes) -> dict[str, str]:
+        """Name of everything that was read from a mesh or texture file -> its `array_hash` after decoding (rule A5).
+
+        hashes_of: what gives those of a mesh, for many scenes one that remembers what it has given.
+        """
         colors = {name: self.albedo[name] for name in ("albedo_map", "material_color") if name in self.albedo}
-        inner = self.inner_mesh.hashes() if self.inner_mesh else {}
+        inner = hashes_of(self.inner_mesh) if self.inner_mesh else {}
         return (
-            self.mesh.hashes()
+            hashes_of(self.mesh)
             | {name: array_hash(name, array) for name, array in {**colors, **self.maps}.items()}
             | {str(Name(name, body=INNER)): found for name, found in inner.items()}
         )

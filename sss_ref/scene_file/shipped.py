@@ -65,5 +65,6 @@ def given_mesh(name: str) -> Path:
 
 def _shipped_mesh(name: str) -> Path | None:
     """The file of a shipped mesh, None for another name; the folder is not listed, which many scenes would wait for."""
-    files = [data_folder() / "meshes" / f"{name}{suffix}" for suffix in MESH_SUFFIXES]
+    folder = data_folder() / "meshes"
+    files = (folder / f"{name}{suffix}" for suffix in MESH_SUFFIXES)
     return next((file for file in files if file.stem == name and os.path.isfile(file)), None)
