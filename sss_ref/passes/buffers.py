@@ -3,6 +3,7 @@
 A value that no buffer keeps is named after the buffer it would be; `language.names` says how.
 """
 
+import re
 from dataclasses import dataclass
 
 from sss_ref.language.names import Name
@@ -79,6 +80,7 @@ BUFFERS = {
 
 
 OWN = Buffer("of a stage of your own")
+TAP = re.compile(r"tap_\d+")  # one of the kernel; tap_count and tap_offset are uniforms
 
 
 def is_listed(name: str) -> bool:
@@ -94,4 +96,4 @@ def described(name: str) -> Buffer:
 def entry_of(name: str) -> str:
     """The name that BUFFERS has it under."""
     base = Name.of(name).base
-    return "tap" if base.startswith("tap_") else base
+    return "tap" if TAP.fullmatch(base) else base

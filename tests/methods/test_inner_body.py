@@ -114,6 +114,13 @@ def test_several_lights_and_a_perspective(scene, preset):
     assert result["way_to_inner"].max() > 0
 
 
+def test_the_inner_body_has_soft_shadows_by_the_kernel_of_the_scene(scene):
+    """The kernel is no buffer of a body: its taps are the same for both."""
+    result = rendered(scene(sphere_of_8, 0.9, shadow_map={"test": "kernel"}, **SEEN_FROM_NEAR))
+    visible = result["inner_light_visible"][result["inner_coverage"] == 1]
+    assert ((visible > 0) & (visible < 1)).any() and (visible[:, 0] != visible[:, 2]).any()
+
+
 def test_what_reaches_out_is_told_and_seen_before_the_mesh_alone(scene):
     result = rendered(scene(size=1.1))
     assert not result["way_to_inner"].any()
