@@ -110,8 +110,10 @@ def section_of(traced: StageTrace, detail: Detail, told: Collection[str] = ()) -
     about = traced.stage.description
     where = f" at {traced.at}" if traced.at else ""
     section = Section(2, traced.stage.name + where, f"{traced.stage.source}. {about.splitlines()[0]}")
-    for name, value in traced.reads.items():
-        section.rows += _of_read(name, value, traced.bounds.get(name)) if name not in told else ()
+    for own, name in traced.stage.reads.items():
+        if name not in told:
+            called = name if name == own else f"{own} = {name}"  # the lines call it as the stage does
+            section.rows += _of_read(called, traced.reads[name], traced.bounds.get(name))
     units = {name: described(name).unit for name in traced.writes if is_listed(name)}
     glsl = glsl_lines(traced) if detail.glsl else lambda step: ""
     section.rows += [row for step in traced.steps for row in _of_step(step, 0, detail.depth, units, glsl)]

@@ -50,6 +50,15 @@ def test_values_as_text(value, text, pattern):
     assert (shown(value), bits(value)) == (text, pattern)
 
 
+def test_what_a_stage_calls_otherwise_is_read_under_both_names(tmp_path):
+    """Its lines have the name of the parameter; which buffer or uniform that is says the row of what it reads."""
+    path = written(tmp_path / "sphere.obj", *sphere(8))
+    result = render(load_scene(around(path, size=32), preset="robust"), interpreter="arrays")
+    rows = {row.text: row.value for row in rows_of(explain(result, (16, 17)), "back_point")}
+    assert rows["position_world = inside_point"] == shown(vec3(*result["inside_point"][17, 16]))
+    assert "direction = normalize(position_world - light_position)" in rows and "light_position" in rows
+
+
 @pytest.mark.parametrize(
     ("low", "high", "text"),
     [
