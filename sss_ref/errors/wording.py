@@ -2,7 +2,7 @@
 
 import difflib
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from pydantic_core import ErrorDetails, PydanticCustomError
@@ -20,7 +20,7 @@ FOUND_BY_TYPE = {
     "list_type": ("an array", "put the values in brackets, separated by commas"),
     "too_long": ("{max_length} values", "remove the others"),
     "literal_error": ("{expected}", "choose one of these"),
-    "union_tag_invalid": ("a type {expected_tags}", "choose one of these"),
+    "union_tag_invalid": ("{expected_tags}", "choose one of these"),
     "union_tag_not_found": ("a type", 'add type = "orbit", "look_at", "free" or "orthographic"'),
     "missing": ("a value", "add it"),
     "dict_type": ("a table", "give its keys, each with a value"),
@@ -78,6 +78,9 @@ def described(error: ErrorDetails, known: Iterable[str]) -> tuple[KeyPath, str]:
     if error["type"] == "extra_forbidden":
         return path, told(written(path), "a known key", "this one", nearest(str(path[-1]), known))
     expected, remedy = _expectation(error)
+    if error["type"] == "union_tag_invalid":
+        path, came = _choice(path, context["discriminator"], error["input"])
+        return path, told(written(path), expected, came, remedy)
     came = "nothing" if error["type"] == "missing" else context.get("came") or shown(error["input"])
     return path, told(written(path), expected, came, remedy)
 
@@ -110,7 +113,16 @@ def _expectation(error: ErrorDetails) -> tuple[str, str]:
     if error["type"] == "unmet":
         return context["expected"], context["remedy"]
     expected, remedy = FOUND_BY_TYPE.get(error["type"], (error["msg"], "correct it"))
+    if "expected_tags" in context:
+        *others, last = context["expected_tags"].split(", ")
+        context = {**context, "expected_tags": f"{', '.join(others)} or {last}"}
     return expected.format(**context).replace("'", '"'), remedy
+
+
+def _choice(path: KeyPath, discriminator: str, table: Mapping[str, Any]) -> tuple[KeyPath, str]:
+    """Where the key stands by which a table chooses its form, and what it says; the whole table if none alone does."""
+    keys = [key for key in (discriminator.strip("'"), "type") if key in table]
+    return ((*path, keys[0]), shown(table[keys[0]])) if keys else (path, shown(table))
 
 
 def nearest(key: str, known: Iterable[str]) -> str:

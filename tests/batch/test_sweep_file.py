@@ -45,7 +45,7 @@ def test_a_shipped_scene_stays_a_name(tmp_path):
         ({"vary": {}}, "sweep: vary: expected at least one key to vary, got {}; add it"),
         ({"vary": {"a": 3}}, 'sweep: vary.a: expected an array'),
         ({"vary": {"a": []}}, "sweep: vary.a: expected 1 to 1000000 values, got []; choose another value"),
-        ({"vary": {"a": {"random": "dice"}}}, 'sweep: vary.a: expected a type "list", "spaced", "uniform"'),
+        ({"vary": {"a": {"random": "dice"}}}, 'sweep: vary.a: expected "list", "spaced", "uniform"'),
         ({"vary": {"a": {"random": "uniform", "low": 0}}}, "sweep: vary.a.high: expected a value, got nothing; add it"),
         ({"vary": {"a": {"random": "uniform", "hihg": 0}}}, "hihg: expected a known key, got this one; did you"),
         ({"vary": {"a": {"first": 0, "last": 1, "count": 1}}}, "vary.a.count: expected a whole number from 2 to"),

@@ -199,9 +199,17 @@ def test_unknown_camera_type(small):
         'scene: camera: expected a type, got {}; add type = "orbit", "look_at", "free" or "orthographic"'
     ]
     assert problems(small, **{"camera.type": "orbital"}) == [
-        'override: camera: expected a type "orbit", "look_at", "free", "orthographic", '
-        'got {"type": "orbital", "distance": 5}; choose one of these'
+        'override: camera.type: expected "orbit", "look_at", "free" or "orthographic", got "orbital"; '
+        "choose one of these"
     ]
+
+
+def test_unknown_light_type(small):
+    """No value of it is taken for another: neither one nor none."""
+    for wrong, came in (("spot", '"spot"'), (3, "3"), (None, "null")):
+        assert problems(small, **{"lights.0.type": wrong}) == [
+            f'override: lights[0].type: expected "point" or "directional", got {came}; choose one of these'
+        ]
 
 
 def test_normalizing_a_kernel_without_weight(small):
