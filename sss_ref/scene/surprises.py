@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from sss_ref.scene.idle_keys import idle_keys
 from sss_ref.scene.placed_mesh import PlacedMesh
 from sss_ref.scene.unseen import unseen, written
 from sss_ref.scene_file.settings import PRINTED, SceneFile
@@ -19,6 +20,7 @@ NEAR_ENOUGH = 1000  # bounding-sphere radii: from there rays across the mesh are
 def surprises(settings: SceneFile, surface: PlacedMesh, camera: View, lights: tuple[Light, ...]) -> Iterator[str]:
     """One line for each surprise, under the key of the scene file that it is about. settings: with every key filled."""
     yield from _of_unit(settings)
+    yield from idle_keys(settings)
     yield from (f"mesh: {note}" for note in surface.mesh.notes)
     yield from (f"mesh: {line}" for line in _of_mesh(settings, surface))
     yield from (f"camera: {line}" for line in _of_camera(settings, surface, camera))

@@ -11,6 +11,7 @@ from sss_ref.errors.wording import unmet
 MEMORY_LIMIT = 4 * 2**30  # bytes of buffers and pictures at one time
 TEXEL_BYTES = 12  # of a decoded picture: three channels, float32
 LARGEST_SIZE = 16384  # pixels: snapped window positions stay within 32 bits
+STRONGEST = 1000  # times that a normal map bends more than it says
 MOST_STOPS = 20  # a factor of a million, either way
 FLOAT32_OVERFLOW = 2.0**128 - 2.0**103  # the smallest magnitude that rounds to infinity in float32
 
@@ -47,6 +48,8 @@ NonNegative = Annotated[Number, requiring(lambda x: x >= 0, "a number >= 0")]
 Positive = Annotated[Number, requiring(lambda x: np.float32(x) > 0, "a number > 0 (in float32)")]
 PositiveOrZero = Annotated[Number, requiring(lambda x: x == 0 or np.float32(x) > 0, "a number >= 0")]
 Inset = Annotated[Positive, requiring(lambda x: x <= 1, "a number > 0 and <= 1")]
+Strength = Annotated[NonNegative, requiring(lambda x: x <= STRONGEST, f"a number from 0 to {STRONGEST}")]
+Texels = Annotated[NonNegative, requiring(lambda x: x <= LARGEST_SIZE, f"a number from 0 to {LARGEST_SIZE}")]
 Share = Annotated[Number, requiring(lambda x: 0 <= x <= 1, "a number from 0 to 1")]
 FieldOfView = Annotated[Number, requiring(lambda x: 0 < x < 180, "an angle between 0 and 180 degrees")]
 Stops = Annotated[Number, requiring(lambda x: abs(x) <= MOST_STOPS, f"from -{MOST_STOPS} to {MOST_STOPS} stops")]

@@ -26,7 +26,9 @@ from sss_ref.scene_file.quantities import (
     Scale,
     Size,
     Stops,
+    Strength,
     Table,
+    Texels,
     Vector,
     counting,
 )
@@ -73,7 +75,7 @@ class MeshSettings(Table):
     repeats."""
     normal_map_green: Literal["up", "down"] = "up"
     """Where the map's green points: up along v, as OpenGL and glTF have it, or down, as Direct3D has it."""
-    normal_strength: NonNegative = 1.0
+    normal_strength: Strength = 1.0
     """Factor on how far the map bends the normal."""
     specular_map: str | None = None
     """Factor on the highlight from a grey PNG or JPEG file, linear, relative to the scene file; beyond 0..1 it
@@ -116,13 +118,13 @@ class ShadowMap(Table):
     test: Literal["slope", "literal", "kernel", "exact"] = "slope"
     """Bias of the shadow test: grows with the surface's slope, or bias_abs alone (paper 3.2); kernel: as slope, and
     for every tap of the blur's kernel around, which makes edges soft (paper 2.1); exact: thickness 0."""
-    kernel_scale: NonNegative = 6.0
+    kernel_scale: Texels = 6.0
     """Texels that an offset of 1 of the blur's kernel is on the surface, with test "kernel"."""
     bias_abs: NonNegative = 0.0
     """Constant part of the bias, scene units."""
     bias_slope: NonNegative = 1.5
     """Factor on the depth that one texel spans."""
-    lookup_depth: NonNegative = 6.0
+    lookup_depth: Texels = 6.0
     """Widths of a texel by which a point lies below the surface for its thickness, with combine "transmit_wrapped"."""
     encoding: Literal["float32", "unorm8"] = "float32"
     """What a texel can hold: any number, or 256 steps from 0 to 1; unorm8 is also that of irradiance, lit and image."""
