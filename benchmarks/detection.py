@@ -15,7 +15,7 @@ from sss_ref.pictures.png_file import srgb8
 FAULTS = {
     "exponent .751 for .75": ("figure3_with", {"translucency.exponent": 0.751}),
     "shininess 33 for 32": ("figure3_with", {"phong.shininess": 33.0}),
-    "T scaled by .101 for .1": ("figure3_with", {"translucency.scale": 0.101}),
+    "T scaled by .0505 for .05": ("figure3_with", {"translucency.scale": 0.0505}),
     "shadow map read bilinear for nearest": ("figure3_with", {"shadow_map.filter": "bilinear"}),
     "slope bias 1.4 for 1.5": ("figure3_with", {"shadow_map.bias_slope": 1.4}),
     "lookup 0.1 % off the centre": ("figure3_with", {"shadow_map.lookup_inset": 0.999}),

@@ -29,9 +29,8 @@ def lit_absorbed(
     return Lit(reflected + (albedo * incident_light) * (transmittance * from_behind), transmittance)
 
 
-scene = sss_ref.load_scene(
-    "figure3_with", **{"lights.0.position": [0.8, 0.7, -2.6], "translucency.combine": "transmit"}
-)
+two_cases = {"shadow_map.test": "slope", "translucency.combine": "transmit"}
+scene = sss_ref.load_scene("figure3_with", **two_cases, **{"lights.0.position": [0.8, 0.7, -2.6]})
 scene = sss_ref.with_stage(scene, "lit_transmit", lit_absorbed, extinction=(0.7, 2.5, 5.0))
 
 if __name__ == "__main__":

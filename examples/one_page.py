@@ -1,9 +1,9 @@
 """The whole screen-space method on one page of plain NumPy: shadow map, camera, blur, composite (paper 2.1, 3.2).
 
 Every buffer has the bits that `sss_ref.render` gives. Of the package the page takes what reads a scene, what writes a
-picture, and a correctly rounded pow. It draws what the presets `paper` and `robust` ask for, with one light, one colour
-and the kernel in pixels. Nothing is cut at the border of a view. Triangles are a loop, pixels are arrays (H, W) or
-(H, W, C), fragments (N,) or (N, C); all are float32, row 0 at the bottom, lengths in scene units.
+picture, and a correctly rounded pow. It draws what the presets `paper` and `robust` ask for, with one light, one
+colour, hard shadows and the kernel in pixels. Nothing is cut at the border of a view. Triangles are a loop, pixels are
+arrays (H, W) or (H, W, C), fragments (N,) or (N, C); all are float32, row 0 at the bottom, lengths in scene units.
 
     python one_page.py figure3_with 256         # a shipped scene, and the pixels a side of picture and shadow map
 """
@@ -21,6 +21,7 @@ from sss_ref.view.matrices import normal_matrix
 SUBPIXEL = 256  # window positions are snapped to this part of a pixel
 NO_SURFACE = -1
 DRAWN = ("constant", "nearest", "slope", "ratio", "pixel")  # colour, shadow map's filter and test, form of T, unit
+HARD = {"shadow_map.test": "slope", "blur.unit": "pixel"}  # preset robust has soft shadows, and the kernel in mm
 LARGEST_HALF = 65504.0  # bounds T, so that a buffer of half floats can hold it
 
 # The words of a shader, in float32: each operation rounds once, sums go from left to right.
@@ -255,6 +256,6 @@ def render(scene):
 if __name__ == "__main__":
     name, size = [*sys.argv[1:], *("figure3_with", "256")[len(sys.argv) - 1 :]]
     sizes = dict.fromkeys(("camera.width", "camera.height", "shadow_map.width", "shadow_map.height"), int(size))
-    buffers = render(sss_ref.load_scene(name, **sizes, **{"blur.unit": "pixel"}))
+    buffers = render(sss_ref.load_scene(name, **sizes, **HARD))
     write_png(Path("one_page.png"), buffers["image"], buffers["coverage"])
     print("one_page.png")

@@ -7,7 +7,7 @@ import numpy as np
 from sss_ref.mesh.triangles import Mesh
 
 LONGEST_MM = 250.0  # a head with its neck, the usual subject of subsurface scattering
-THINNEST = 0.05  # d_min as a share of the longest side: that of preset robust on the shipped bust, 2 units high
+THINNEST = 0.015  # d_min as a share of the longest side: that of preset robust on the shipped bust, 2 units high
 
 
 @dataclass(frozen=True)

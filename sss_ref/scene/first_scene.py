@@ -63,9 +63,6 @@ distance = {distance}
 color = [1.0, 0.45, 0.28]
 intensity = 0.7
 
-[shadow_map]
-test = "kernel"                         # soft shadows, red at their edges
-
 [phong]
 ambient = 0.04
 specular = 0.3
@@ -74,7 +71,7 @@ specular = 0.3
 [translucency]
 combine = "transmit_wrapped"            # light from behind goes round: no dark line where light and shade meet
 exponent = {exponent}                         # the paper's is 0.6; this one lets the far side fall off into the dark
-d_min = {d_min}                           # what is thinner lets no more through: a twentieth of that side
+d_min = {d_min}                           # what is thinner lets no more through: 1.5 % of that side
 scale = {scale}                           # how much comes through
 
 [output]

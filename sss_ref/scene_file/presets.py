@@ -16,17 +16,22 @@ PAPER: dict[str, Any] = {
     "irradiance_map": {"mode": "paper", "image": "sqrt", "dilate": 4},
 }
 
-# What looks right on a real mesh: light from behind goes round the terminator, and no colour bleeds over silhouettes.
-# The exponent lets a sphere fall off evenly into the dark: with the paper's 0.6 its far side is brighter again.
+# What looks right on a real mesh: light from behind goes round the terminator, shadows are soft and red at their edges,
+# and no colour bleeds over silhouettes. The exponent lets a sphere fall off evenly into the dark: with the paper's 0.6
+# its far side is brighter again. T * scale is 0.98 at d_min: what is thin lets through what it would reflect. d_min is
+# small, since behind the terminator, as long as the body is thinner, light from behind grows with its angle and T does
+# not fall: with 0.1 that made a dark line. For the same reason wrap is more than 0.3, and leaves less for it to add.
 ROBUST: dict[str, Any] = {
+    "shadow_map": {"test": "kernel"},
     "translucency": {
         "form": "ratio",
         "combine": "transmit_wrapped",
-        "scale": 0.1,
+        "wrap": 0.5,
+        "scale": 0.05,
         "x": 2.0,
         "y": 0.5,
         "exponent": 0.75,
-        "d_min": 0.1,
+        "d_min": 0.03,
     },
     "blur": {"kernel": "hbh09", "mask": "taps", "pixel_scale": 2.0},
     "irradiance_map": {"mode": "lambert", "image": "product", "dilate": 8},

@@ -28,7 +28,7 @@ LIGHTS = [
 # Each alternative of the scene file that matters here occurs at least once; few, since each is compiled.
 CASES = {
     "paper": {"preset": "paper"},
-    "robust": {"preset": "robust", "lights": LIGHTS, "translucency.combine": "transmit"},
+    "robust": {"preset": "robust", "lights": LIGHTS, "translucency.combine": "transmit", "shadow_map.test": "slope"},
     "wrapped": {"preset": "robust"},
     "distance": {
         "irradiance_map": {"mode": "distance", "dilate": 0, "overlap": "last"},

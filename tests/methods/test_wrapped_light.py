@@ -8,7 +8,7 @@ from sss_ref.rendering.fold import render
 from sss_ref.scene.catalogue import method_of
 from sss_ref.scene.load import load_scene
 
-WRAPPED = {"preset": "robust", "translucency.combine": "transmit_wrapped", "translucency.scale": 0.1}
+WRAPPED = {"preset": "robust", "translucency.combine": "transmit_wrapped"}
 PRODUCT = {"irradiance_map": {"image": "product", "mode": "lambert", "width": 64, "height": 64}}
 LIGHTS = [{"position": [5.0, 1.0, -1.0]}, {"position": [-4.0, 2.0, 2.0], "color": [1.0, 0.5, 0.25]}]
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])

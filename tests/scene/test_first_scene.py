@@ -54,7 +54,7 @@ def test_light_from_behind_goes_round_and_shadows_are_soft(tmp_path):
     translucency = settings.translucency
     assert settings.shadow_map.test == "kernel"
     assert translucency.combine == "transmit_wrapped"
-    assert translucency.scale == pytest.approx(0.1, rel=0.02)  # the bust is two units high
+    assert translucency.scale == pytest.approx(0.05, rel=0.02)  # the bust is two units high
 
 
 def test_the_picture_is_the_same_in_any_unit(tmp_path):

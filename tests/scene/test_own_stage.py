@@ -19,7 +19,7 @@ from sss_ref.results.verify import verify
 EXAMPLE = Path(__file__).parents[2] / "examples" / "beer_lambert.py"
 LIGHTS = [{"position": LIGHT}, {"position": [-3.0, 0.5, 1.0], "color": [1.0, 0.5, 0.25]}]
 
-TRANSMIT = {"preset": "robust", "translucency": {"combine": "transmit"}}
+TRANSMIT = {"preset": "robust", "translucency": {"combine": "transmit"}, "shadow_map": {"test": "slope"}}
 
 
 @pytest.fixture(scope="module")
@@ -96,7 +96,7 @@ def test_in_the_irradiance_map_it_reads_the_texels_own_values(tmp_path):
     path = written(tmp_path / "sphere.obj", positions, triangles, uvs)
     tables = {"method": "texture_space", "irradiance_map": {"width": 40, "height": 40}, "lights": LIGHTS}
     scene = sss_ref.load_scene(around(path, 40, preset="robust", **tables))
-    scene = sss_ref.with_stage(scene, "irradiance_lambert", irradiance_wrapped, wrap=0.5)
+    scene = sss_ref.with_stage(scene, "irradiance_lambert_soft", irradiance_wrapped, wrap=0.5)
     result = sss_ref.render(scene)
     assert result.hashes == sss_ref.render(scene, interpreter="arrays").hashes
     for number, color in ((1, 1.0), (2, 0.25)):

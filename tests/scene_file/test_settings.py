@@ -100,16 +100,17 @@ BY_PRESET = {
         },
     },
     "robust": {
+        "shadow_map": {**COMMON["shadow_map"], "test": "kernel"},
         "translucency": {
             "form": "ratio",
             "combine": "transmit_wrapped",
             "x": 2.0,
             "y": 0.5,
             "exponent": 0.75,
-            "scale": 0.1,
-            "d_min": 0.1,
+            "scale": 0.05,
+            "d_min": 0.03,
             "gaussians": "skin",
-            "wrap": 0.3,
+            "wrap": 0.5,
         },
         "blur": {"kernel": "hbh09", "mask": "taps", "pixel_scale": 2.0, **IN_PIXELS},
         "irradiance_map": {
