@@ -20,7 +20,7 @@ from sss_ref.scene_file.kernels import TABLE1
 ROOT = Path(__file__).parents[2]
 IMAGES = ROOT / "docs" / "images"
 SIDE = 512
-GALLERY = ("figure3_with", "teeth_backlit", "wax", "glass", "figure5")
+GALLERY = ("figure3_with", "teeth_layers_backlit", "wax", "glass", "figure5")
 
 sys.path.insert(0, str(ROOT / "notebooks"))
 
