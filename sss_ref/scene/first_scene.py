@@ -19,7 +19,9 @@ from sss_ref.view.light_fit import Bounds
 from sss_ref.view.matrices import look_at, outward, transformed
 from sss_ref.view.views import UP
 
-AZIMUTH, ELEVATION, FOV_Y = 25.0, 5.0, 30.0  # degrees: a portrait
+AZIMUTH, ELEVATION, FOV_Y = 25.0, 5.0, 30.0  # degrees: a portrait, from the front
+KEY, BACK = -20.0, 200.0  # degrees: the lights' azimuths, from the front
+HEAD, ASIDE = 0.25, 0.2  # of the height, from above; of the depth, away from the middle
 AROUND = 1.12  # room around the mesh, as a factor on half of its height or width in the picture
 SIZE = 2.0  # units: the longest side of the bust, on which preset robust was chosen
 SMALLEST, LARGEST = 1e-12, 1e12  # units: the longest side of a mesh that a first scene is written for
@@ -42,7 +44,7 @@ color = [0.82, 0.52, 0.41]              # linear RGB{color}
 [camera]
 type = "orbit"                          # about target, here the middle of the mesh
 target = [{target}]
-azimuth = {azimuth}                          # degrees; 0 looks from +Z, 90 from +X
+azimuth = {azimuth:<30}# degrees; 0 looks from +Z, 90 from +X
 elevation = {elevation}
 distance = {distance}
 fov_y = {fov_y}
@@ -50,14 +52,14 @@ near = {near}
 far = {far}
 
 [[lights]]                              # the key light, which shows the form
-azimuth = -20.0
+azimuth = {key}
 elevation = 35.0
 distance = {distance}
 color = [1.0, 0.96, 0.92]
 intensity = 0.85
 
 [[lights]]                              # the back light, which shines through what is thin
-azimuth = 200.0
+azimuth = {back}
 elevation = 20.0
 distance = {distance}
 color = [1.0, 0.45, 0.28]
@@ -107,7 +109,8 @@ def first_scene(mesh: Mesh, path: str) -> str:
     Raises SceneError for a mesh so small or large that float32 has no room for the squares of its lengths.
     """
     size, bounds = _drawable(mesh), Bounds.around(mesh.positions.astype(np.float64))
-    distance = _distance(mesh.positions - bounds.centre)
+    front = front_of(mesh)
+    distance = _distance(mesh.positions - bounds.centre, front + AZIMUTH)
     return TEXT.format(
         name=_quoted(mesh.name),
         path=_quoted(path),
@@ -119,7 +122,9 @@ def first_scene(mesh: Mesh, path: str) -> str:
         exponent=EXPONENT,
         scale=three_digits(SCALE * (size.longest / SIZE) ** EXPONENT),
         target=", ".join(str(float(f"{x:.6g}")) for x in bounds.centre.tolist()),
-        azimuth=AZIMUTH,
+        azimuth=front + AZIMUTH,
+        key=front + KEY,
+        back=(front + BACK) % 360,
         elevation=ELEVATION,
         fov_y=FOV_Y,
         distance=three_digits(distance),
@@ -136,9 +141,21 @@ def _drawable(mesh: Mesh) -> LikelySize:
     return size
 
 
-def _distance(points: NDArray[np.float64]) -> float:
-    """How far a camera is from the origin, in its direction above, that just holds points (N, 3) and AROUND them."""
-    view_from_world = look_at(outward(AZIMUTH, ELEVATION), np.zeros(3), np.array(UP))  # from a distance of 1
+def front_of(mesh: Mesh) -> float:
+    """The azimuth from which a mesh shows its face, degrees: 0, from +Z as glTF 2.0 has it, or 180.
+
+    It is 180 where the upper quarter of the mesh, which is its head, lies towards -Z by more than a fifth of its depth.
+    """
+    positions = mesh.positions.astype(np.float64)
+    low, high = positions.min(axis=0), positions.max(axis=0)
+    head = positions[positions[:, 1] >= high[1] - HEAD * (high[1] - low[1]), 2]
+    before = (head.min() + head.max()) / 2 - (low[2] + high[2]) / 2
+    return 180.0 if before < -ASIDE * (high[2] - low[2]) else 0.0
+
+
+def _distance(points: NDArray[np.float64], azimuth: float) -> float:
+    """How far a camera is from the origin, in this direction, that just holds points (N, 3) and AROUND them."""
+    view_from_world = look_at(outward(azimuth, ELEVATION), np.zeros(3), np.array(UP))  # from a distance of 1
     x, y, z = transformed(view_from_world, points).T
     beside = np.maximum(np.abs(x), np.abs(y))
     return float((1 + z + AROUND * beside / tangent(FOV_Y / 2)).max())

@@ -48,6 +48,20 @@ def test_the_picture_is_neither_dark_nor_clipped(tmp_path):
     assert np.percentile(light, 2) > 0.03
 
 
+@pytest.mark.parametrize(
+    ("head_at", "azimuths"), [(0.9, (25, -20, 200)), (-0.3, (25, -20, 200)), (-0.9, (205, 160, 20))]
+)
+def test_it_is_seen_from_where_its_head_is(tmp_path, head_at, azimuths):
+    """From +Z, unless the upper quarter lies towards -Z by more than a fifth of the depth; the lights go with it."""
+    body, triangles, _ = sphere(12)
+    head = body * 0.3 + (0, 2, head_at)
+    whole = np.concatenate([body, head]), np.concatenate([triangles, triangles + len(body)])
+    settings = first(tmp_path, written(tmp_path / "animal.obj", *whole)).settings
+    written_as = tomllib.loads((tmp_path / "scene.toml").read_text())
+    assert (written_as["camera"]["azimuth"], *(light["azimuth"] for light in written_as["lights"])) == azimuths
+    assert settings.camera.azimuth == azimuths[0]
+
+
 def test_light_from_behind_goes_round_and_shadows_are_soft(tmp_path):
     """Where light and shade meet there is no dark line; T falls off as steeply as its scale was chosen for."""
     settings = first(tmp_path, BUST).settings
