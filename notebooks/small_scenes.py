@@ -9,8 +9,10 @@ from sss_ref.scene_file.shipped import find_mesh, mesh_names
 from sss_ref.view.light_fit import Bounds
 
 SHIPPED_HEAD = "bust"
-BY_THE_TEXT = {  # the paper's exponent, and light from behind on the shaded side only; preset robust has it go round
+BY_THE_TEXT = {  # not as preset robust: hard shadows, light from behind on the shaded side only, and the exponent
+    "shadow_map.test": "slope",
     "translucency.combine": "transmit",
+    "translucency.d_min": 0.1,
     "translucency.exponent": 0.6,
     "translucency.scale": 0.2,
 }

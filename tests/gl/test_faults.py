@@ -215,7 +215,7 @@ def test_a_stage_of_ones_own_is_drawn_and_judged_like_ours():
     example = Path(__file__).parents[2] / "examples" / "beer_lambert.py"
     scene = run_path(str(example))["scene"]
     changes = {f"{t}.{s}": 64 for t in ("camera", "shadow_map") for s in ("width", "height")}
-    loaded = load_scene("figure3_with", **changes, **{"translucency.combine": "transmit"})
+    loaded = load_scene("figure3_with", **changes, **{"translucency.combine": "transmit", "shadow_map.test": "slope"})
     small = replace(loaded, own_stages=scene.own_stages, own_uniforms=scene.own_uniforms)
     found = validate(render(small, interpreter="arrays"), draw(small))
     assert found.passed and "transmittance" in {one.buffer for one in found.verdicts}

@@ -23,20 +23,22 @@ KEPT = ("all", "registers")
 CLAMPED = "texelFetch(texture_, ivec2(clamp_(at.x, 0, last.x), clamp_(at.y, 0, last.y)), 0).xyz"
 ON_MAP = "at.x >= 0 && at.y >= 0 && at.x <= last.x && at.y <= last.y"
 BORDERED = f"{ON_MAP} ? texelFetch(texture_, at, 0).xyz : vec3(0.0, 0.0, 0.0)"
-PIXELS, MM = {"blur.unit": "pixel"}, {"blur.unit": "mm"}
+HARD = {"shadow_map.test": "slope"}  # preset robust has soft shadows
+PIXELS, MM = HARD | {"blur.unit": "pixel"}, HARD | {"blur.unit": "mm"}
 SHIPPED = {  # name -> a scene of the package, and what is different in it
     "bust": ("figure3_with", PIXELS),
     "bust in mm": ("figure3_with", MM),
     "filtered bust": ("figure3_with", PIXELS | {"shadow_map.filter": "bilinear"}),
-    "bust cut open": ("figure3_with", {"camera.near": 4.0}),  # back faces are seen
-    "turned": ("teaching", {}),  # its model matrix is a rotation
+    "bust cut open": ("figure3_with", HARD | {"camera.near": 4.0}),  # back faces are seen
+    "turned": ("teaching", HARD),  # its model matrix is a rotation
     "wax": ("figure4_wax", {}),
     "wax from near": ("figure4_wax", {"camera.distance": 2.0}),  # the model reaches the frame
     "texture space": ("figure5", PIXELS),
     "texture space in mm": ("figure5", MM),
+    "soft shadows": ("figure3_with", {}),
     "tooth": ("teeth_layers", {}),
-    "parallel": ("molar_orthographic", {}),
-    "parallel on the surface": ("sphere_directional", {"method": "texture_space"}),
+    "parallel": ("molar_orthographic", HARD),
+    "parallel on the surface": ("sphere_directional", HARD | {"method": "texture_space"}),
     "texture space as published": ("figure5", {"preset": "published"}),
 }
 

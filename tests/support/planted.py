@@ -38,17 +38,19 @@ BUST = {
     "mesh.rotate_degrees": [0.0, 20.0, 0.0],
     "mesh.scale": [1.0, 1.1, 0.9],
     "blur.unit": "pixel",
+    "shadow_map.test": "slope",
 }
+HARD = {"shadow_map.test": "slope"}
 SCENES = {
     "bust": ("figure3_with", BUST),
     "outline": ("figure3_with", BUST | {"preset": "paper"}),
     "close": ("figure3_with", BUST | {"preset": "paper", "camera.distance": 2.4}),
     "two lights": (
         "figure3_with",
-        {"lights": [{"position": [2.4, 1.5, 1.5]}, {"position": [-2.0, 2.0, 1.5], "color": [0.5, 0.7, 1.0]}]},
+        HARD | {"lights": [{"position": [2.4, 1.5, 1.5]}, {"position": [-2.0, 2.0, 1.5], "color": [0.5, 0.7, 1.0]}]},
     ),
-    "texture space": ("figure5", {}),
-    "wax": ("wax", {}),
+    "texture space": ("figure5", HARD),
+    "wax": ("wax", HARD),
 }
 
 

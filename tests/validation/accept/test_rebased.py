@@ -31,7 +31,7 @@ def bodies(tmp_path_factory):
 
 def scene_of(path, method="screen_space", **overrides):
     tables = {"method": method, "preset": "robust", "irradiance_map": {"width": 64, "height": 64, "dilate": 2}}
-    scene = around(path, 64, **tables)
+    scene = around(path, 64, shadow_map={"width": 64, "height": 64, "test": "slope"}, **tables)
     scene["camera"]["azimuth"] = 100  # half of what it sees faces the light
     return load_scene(scene, **overrides)
 
@@ -80,7 +80,7 @@ def test_a_wrong_tap_is_the_taps(bodies):
 FAULTS = {  # what is changed, and where: (method, overrides, stage)
     "exponent": ("screen_space", {"translucency.exponent": 0.7501}, "translucency_ratio_throughout"),
     "base": ("screen_space", {"translucency.x": 2.001}, "translucency_ratio_throughout"),
-    "scale of T": ("screen_space", {"translucency.scale": 0.1005}, "lit_transmit_wrapped"),
+    "scale of T": ("screen_space", {"translucency.scale": 0.05025}, "lit_transmit_wrapped"),
     "shininess": ("screen_space", {"phong.shininess": 33.0}, "phong_shading"),
     "ambient": ("screen_space", {"phong.ambient": 0.101}, "phong_shading"),
     "bias": ("screen_space", {"shadow_map.bias_slope": 0.0}, "directly_lit_slope"),
@@ -96,7 +96,7 @@ FAULTS = {  # what is changed, and where: (method, overrides, stage)
     "mode": ("texture_space", {"irradiance_map.mode": "paper"}, "irradiance_lambert"),
     "dilation": ("texture_space", {"irradiance_map.dilate": 1}, "dilate"),
     "kernel on the map": ("texture_space", {"blur.kernel": "schoenberger"}, "scatter_inside"),
-    "T on the map": ("texture_space", {"translucency.scale": 0.105}, "irradiance_added_wrapped"),
+    "T on the map": ("texture_space", {"translucency.scale": 0.0525}, "irradiance_added_wrapped"),
     "highlight": ("texture_space", {"phong.specular": 0.6}, "phong_shading"),
     "sum": ("texture_space", {"phong.ambient": 0.12}, "phong_shading"),
 }

@@ -31,7 +31,7 @@ def report(oracle):
 def drawn(path, **overrides):
     scene = around(path, 64, preset="robust")
     scene["camera"]["azimuth"] = 100  # half of what it sees faces the light
-    return render(load_scene(scene, **overrides), "arrays")
+    return render(load_scene(scene, **{"shadow_map.test": "slope"}, **overrides), "arrays")
 
 
 def sensitivity(report, stage, name):

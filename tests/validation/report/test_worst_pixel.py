@@ -24,7 +24,8 @@ MISTAKES = {
 @pytest.fixture(scope="module")
 def scene(tmp_path_factory):
     body = written(tmp_path_factory.mktemp("bodies") / "sphere.obj", *sphere(12))
-    return around(body, 32, preset="robust", method="screen_space")
+    sizes = {"width": 32, "height": 32}
+    return around(body, 32, preset="robust", method="screen_space", shadow_map={**sizes, "test": "slope"})
 
 
 @pytest.fixture(scope="module")
