@@ -28,6 +28,11 @@ def _wraps(scene: SceneFile) -> bool:
     return scene.translucency.combine == "transmit_wrapped" and _adds(scene)
 
 
+def _blurs_by(scene: SceneFile, unit: str) -> bool:
+    """Whether the blur is the paper's, with offsets in this unit."""
+    return scene.method in ("screen_space", "texture_space") and scene.blur.unit == unit
+
+
 BENT = Need("mesh.normal_map", lambda scene: scene.mesh.normal_map is not None)
 SOFT = Need('shadow_map.test = "kernel"', lambda scene: scene.shadow_map.test == "kernel")
 SLOPED = Need('shadow_map.test = "slope" or "kernel"', lambda scene: scene.shadow_map.test in ("slope", "kernel"))
@@ -38,8 +43,8 @@ OF_BASE = Need('a translucency.form other than "gaussians"', lambda scene: scene
 OF_POWER = Need(
     'translucency.form = "ratio" or "exponent"', lambda scene: scene.translucency.form in ("ratio", "exponent")
 )
-IN_PIXELS = Need('blur.unit = "pixel"', lambda scene: scene.blur.unit == "pixel")
-IN_MM = Need('blur.unit = "mm"', lambda scene: scene.blur.unit == "mm")
+IN_PIXELS = Need('blur.unit = "pixel", in screen or texture space', lambda scene: _blurs_by(scene, "pixel"))
+IN_MM = Need('blur.unit = "mm", in screen or texture space', lambda scene: _blurs_by(scene, "mm"))
 
 NEEDS = {
     ("mesh", "normal_strength"): BENT,
@@ -61,7 +66,7 @@ NEEDS = {
 
 def idle_keys(settings: SceneFile) -> Iterator[str]:
     """One line for every key that has another value than it has by itself, and no effect. settings: with every key."""
-    given = {key: getattr(settings, key) for key in ("preset", "material", "mm_per_unit")}
+    given = {key: getattr(settings, key) for key in ("method", "preset", "material", "mm_per_unit")}
     usual = filled(given)
     bodies = (settings, settings.inner) if settings.inner else (settings,)
     for (table, key), need in NEEDS.items():

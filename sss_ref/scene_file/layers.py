@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from sss_ref.errors.wording import KeyPath, told
-from sss_ref.scene_file.presets import PRESETS, ROBUST_IN_MM
+from sss_ref.scene_file.presets import PRESETS, ROBUST_IN_MM, ROBUST_PREINTEGRATED
 from sss_ref.scene_file.substances import layer_of
 from sss_ref.scene_file.viewpoints import ORBIT
 
@@ -22,6 +22,8 @@ def filled(data: Mapping[str, Any]) -> dict[str, Any]:
     in_mm = _is_in_mm(data)
     if name == "robust" and in_mm:
         preset = laid(preset, ROBUST_IN_MM)
+    if name == "robust" and data.get("method") == "preintegrated":
+        preset = laid(preset, ROBUST_PREINTEGRATED)
     if name != "published":  # which has no materials; `misfits` will say so
         preset = laid(preset, layer_of(data.get("material"), in_mm))
     camera, lights = data.get("camera"), data.get("lights")

@@ -40,6 +40,9 @@ ROBUST: dict[str, Any] = {
 # What `robust` has in the place of pixels where the scene says how long its unit is.
 ROBUST_IN_MM: dict[str, Any] = {"blur": {"unit": "mm", "follow_surface": True}}
 
+# What it has with method `preintegrated`, whose own shadows go round.
+ROBUST_PREINTEGRATED: dict[str, Any] = {"shadow_map": {"test": "slope"}}
+
 # What the printed figures compute: the paper's application, maps of eight bits included (methods/published/).
 PUBLISHED: dict[str, Any] = {
     "camera": {"fov_y": 45.0, "near": 0.001, "far": 1000.0, "width": 1600, "height": 900},

@@ -17,6 +17,8 @@ RANGES: dict[Any, tuple[float | None, float | None]] = {  # type of a number -> 
     quantities.NonNegative: (0, None),
     quantities.Positive: (0, None),
     quantities.PositiveOrZero: (0, None),
+    quantities.Strength: (0, quantities.STRONGEST),
+    quantities.Texels: (0, LARGEST),
     quantities.Inset: (0, 1),
     quantities.Share: (0, 1),
     quantities.FieldOfView: (0, 180),

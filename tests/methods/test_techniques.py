@@ -28,6 +28,11 @@ def oracle(technique):
     return render(of(technique), "arrays")
 
 
+def test_preset_robust_has_the_shadows_that_a_technique_can_draw(technique):
+    hard = technique == "preintegrated"
+    assert of(technique).settings.shadow_map.test == ("slope" if hard else "kernel")
+
+
 ORTHOGRAPHIC = {"type": "orthographic", "eye": [1.2, 0.3, 4.0], "view_height": 2.4, "width": 48, "height": 40}
 
 
