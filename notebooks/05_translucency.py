@@ -118,7 +118,7 @@ behind = {"lights.0.position": [1.9, 1.2, -2.2]}
 _, axes = figures.row(3, height=3.1, width=3.2)
 for panel, (name, (y, d_min)) in zip(axes, materials.items(), strict=True):
     keys = {"translucency.y": y, "translucency.d_min": d_min, **behind}
-    result = sss_ref.render(small_scenes.load("figure3_with", HEAD, **small_scenes.BY_THE_TEXT, **keys))
+    result = sss_ref.render(small_scenes.load("figure3_with", HEAD, **(small_scenes.BY_THE_TEXT | keys)))
     figures.picture(panel, result.image, f"{name}: y = {y:g}")
 
 # %% [markdown]
