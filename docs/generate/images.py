@@ -1,6 +1,6 @@
 """The pictures of the README and of the site's first page, all made by the code.
 
-python docs/generate/images.py                # needs the extra `docs`; writes into docs/images
+python docs/generate/images.py                # needs the extras `docs` and `test`; writes into docs/images
 """
 
 import sys
@@ -22,7 +22,7 @@ IMAGES = ROOT / "docs" / "images"
 SIDE = 512
 GALLERY = ("figure3_with", "teeth_layers_backlit", "wax", "glass", "figure5")
 
-sys.path.insert(0, str(ROOT / "notebooks"))
+sys.path[:0] = [str(ROOT / "notebooks"), str(ROOT / "tests" / "support")]
 
 
 def scene(name: str, **overrides: float) -> sss_ref.Scene:
@@ -95,6 +95,16 @@ def relighting(path: Path) -> None:
         Image.open(f"{folder}/candle/contact_sheet.png").save(path, optimize=True)
 
 
+def viewer(path: Path) -> None:
+    """The page of `sss-ref view`, by Chromium and playwright."""
+    from viewing import ViewerPage, chromium, viewing
+
+    with viewing("default", "--port", "0") as process, chromium() as browser:
+        page = ViewerPage(browser, process.address, 1300, 760).page
+        page.select_option("#buffer", "image")
+        page.screenshot(path=path, type="jpeg", quality=85)
+
+
 PICTURES = {
     "poster.png": poster,
     "overview.jpg": overview,
@@ -102,6 +112,7 @@ PICTURES = {
     "gallery.png": gallery,
     "kernel.png": kernel,
     "relighting.png": relighting,
+    "viewer.jpg": viewer,
 }
 
 
