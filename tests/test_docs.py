@@ -76,8 +76,8 @@ def test_every_mapping_key_is_described_with_type_and_default(key, generated):
 
 def test_the_defaults_are_those_of_each_preset(generated):
     page = generated["scene_file"]
-    number = "number ≥ 0, or three: `[r, g, b]`"
-    assert f"{{confval}} translucency.d_min\n:type: {number}\n:default: `0.1`; `0.0` in `published`" in page
+    number, each = "number ≥ 0, or three: `[r, g, b]`", "`0.1` in `paper`; `0.03` in `robust`; `0.0` in `published`"
+    assert f"{{confval}} translucency.d_min\n:type: {number}\n:default: {each}" in page
     assert '| {confval}`blur.mask` | `"output"` | `"taps"` | `"none"` |' in page
 
 

@@ -25,6 +25,8 @@ WORDS = {  # how a reader calls the type of a value
     quantities.OneOrThree[quantities.PositiveOrZero]: "number ≥ 0, or three: `[r, g, b]`",
     quantities.Inset: "number > 0 and ≤ 1",
     quantities.Share: "number from 0 to 1",
+    quantities.Strength: f"number from 0 to {quantities.STRONGEST}",
+    quantities.Texels: f"number from 0 to {quantities.LARGEST_SIZE}",
     quantities.Stops: f"number from -{quantities.MOST_STOPS} to {quantities.MOST_STOPS}",
     quantities.FieldOfView: "angle between 0 and 180 degrees",
     quantities.Size: f"whole number from 1 to {quantities.LARGEST_SIZE}",
