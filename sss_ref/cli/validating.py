@@ -63,7 +63,6 @@ def validate(
     from sss_ref.validation.clock import Clock
     from sss_ref.validation.report.junit import checked_junit_file, write_junit
     from sss_ref.validation.report.metrics import likeness, require_packages
-    from sss_ref.validation.report.report_page import write_report
     from sss_ref.validation.stage_by_stage import judge
 
     if junit:
@@ -86,6 +85,8 @@ def validate(
     if found.judged:
         print_report(found)
     if report:
+        from sss_ref.validation.report.report_page import write_report
+
         out.print(f"{write_report(found, report, f'{scene}: is it right?')}", markup=False)
     if junit:
         out.print(f"{write_junit(found, junit, scene)}", markup=False)

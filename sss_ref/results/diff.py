@@ -9,8 +9,6 @@ from numpy.typing import NDArray
 
 from sss_ref.errors import DumpError
 from sss_ref.passes.buffers import BUFFERS, entry_of, is_listed
-from sss_ref.results.folder import read_buffer
-from sss_ref.results.manifest import FILE_NAME, read_manifest
 
 BUFFER_TYPES = ("<f4", "<i4", "|u1")
 CHANNELS = ((), (2,), (3,))  # what follows height and width in a buffer's shape
@@ -121,6 +119,8 @@ def buffer_files(folder: Path) -> dict[str, Path]:
 
 def buffer_pair(file_a: Path, file_b: Path) -> tuple[np.ndarray, np.ndarray]:
     """The two versions of a buffer. Raises DumpError where they cannot be compared value by value."""
+    from sss_ref.results.folder import read_buffer  # with all that saves: not for those who compare arrays
+
     a, b = read_buffer(file_a), read_buffer(file_b)
     for file, buffer in ((file_a, a), (file_b, b)):
         if buffer.dtype.str not in BUFFER_TYPES or buffer.shape[2:] not in CHANNELS or not buffer.size:
@@ -138,6 +138,8 @@ def _check_name(name: str, file: Path) -> None:
 
 def _stage_order(*folders: Path) -> Callable[[str], int]:
     """The place of a buffer's name in the first manifest there is; buffers it does not have come after its own."""
+    from sss_ref.results.manifest import FILE_NAME, read_manifest
+
     manifests = [read_manifest(folder) for folder in folders if (folder / FILE_NAME).is_file()]
     recorded = [record.name for record in manifests[0].buffers] if manifests else []
     order = list(dict.fromkeys((*recorded, *BUFFERS)))

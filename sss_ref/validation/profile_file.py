@@ -3,6 +3,7 @@
 import os
 from collections.abc import Mapping
 from dataclasses import fields, replace
+from functools import cache
 from pathlib import Path
 from typing import Any, Literal, get_type_hints
 
@@ -29,9 +30,16 @@ def _table(name: str, keys: Mapping[str, Any]) -> type[BaseModel]:
     return create_model(name, __base__=Table, **keys)
 
 
-BoundsTable = _table("BoundsTable", _keys_of(Bounded))
-BASE = {"based_on": (Literal[tuple(PROFILES)], "vulkan"), "bounds": (BoundsTable, BoundsTable())}
-ProfileTable = _table("ProfileTable", BASE | _keys_of(Profile))
+@cache
+def _bounds_table() -> type[BaseModel]:
+    return _table("BoundsTable", _keys_of(Bounded))
+
+
+@cache
+def _profile_table() -> type[BaseModel]:
+    bounds = _bounds_table()
+    base = {"based_on": (Literal[tuple(PROFILES)], "vulkan"), "bounds": (bounds, bounds())}
+    return _table("ProfileTable", base | _keys_of(Profile))
 
 
 def profile_of(name: str | os.PathLike[str]) -> Profile:
@@ -51,7 +59,7 @@ def _parsed(name: str) -> dict[str, Any]:
 
 def _validated(data: Mapping[str, Any], source: str) -> Any:
     try:
-        return ProfileTable.model_validate(data)
+        return _profile_table().model_validate(data)
     except ValidationError as error:
         problems = (described(each, _known(each["loc"])) for each in error.errors())
         raise ProfileError("\n".join(f"{source}: {problem}" for _, problem in problems)) from None
@@ -59,7 +67,7 @@ def _validated(data: Mapping[str, Any], source: str) -> Any:
 
 def _known(location: tuple[int | str, ...]) -> list[str]:
     """The keys of the table that an error is in."""
-    table = BoundsTable if location[0] == "bounds" and len(location) > 1 else ProfileTable
+    table = _bounds_table() if location[0] == "bounds" and len(location) > 1 else _profile_table()
     return list(table.model_fields)
 
 

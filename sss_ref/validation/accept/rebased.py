@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from sss_ref.dump.loss import EXACT, loss_of
 from sss_ref.language.pipeline import Pass
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.drawn_pass import DrawnPass
@@ -85,7 +86,10 @@ def _as_stored(check: Check, case: Case) -> Check:
     is_depth = check.stage == RASTERIZER and check.got.dtype == np.float32
     default = depth_storage(case.profile) if is_depth else "float32"
     storage = case.drawing.stored.get(check.buffer, default)
-    texture = step_of(case.drawing.rounded.get(check.buffer, "float32"), check.got)
+    rounded = case.drawing.rounded.get(check.buffer, "float32")
+    if loss_of(storage) == loss_of(rounded) == EXACT:
+        return check
+    texture = step_of(rounded, check.got)
     return replace(check, reach=check.reach + lost_in_storage(storage, check.expected, check.got) + texture)
 
 
@@ -120,7 +124,7 @@ def _checks_of_stages(case: Case, drawn: DrawnPass) -> Iterator[Check]:
 
 def _with_background(check: Check, outside: np.ndarray, clear: Any) -> Check:
     """The check of a buffer that holds a number, or one for each channel, where nothing is drawn: exactly that."""
-    expected, reach = check.expected.copy(), check.reach.copy()
+    expected, reach = check.expected.copy(), check.reach
     beside = outside if expected.ndim == 2 else outside[..., None]
     np.copyto(expected, clear, where=beside, casting="unsafe")
     np.copyto(reach, 0.0, where=beside)
