@@ -14,12 +14,13 @@ from pathlib import Path
 from typing import Any
 
 from numba.core import compiler, serialize
-from numba.core.runtime import rtsys
+from numba.core.runtime import nrt
 
 from sss_ref.cache.kernel_sources import sources_hash
 
 COMPILE_RESULT: Any = compiler.CompileResult  # numba has no types
 DUMPS: Any = serialize.dumps
+MEMORY: Any = nrt.rtsys
 SUFFIX = ".kernel"
 DIGEST = 32  # bytes of SHA-256 before the content of a file
 
@@ -36,7 +37,7 @@ class KernelFiles:
 
     def load_overload(self, types: Any, target: Any) -> Any:
         """The compiled function for these argument types, or None."""
-        rtsys.initialize(target)  # of what numba's own cache makes ready here, machine code needs no more
+        MEMORY.initialize(target)  # of what numba's own cache makes ready here, machine code needs no more
         path = self._path(types, target.codegen())
         reduced = path and _kept(path)
         return COMPILE_RESULT._rebuild(target, *pickle.loads(reduced)) if reduced else None

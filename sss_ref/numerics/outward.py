@@ -30,7 +30,8 @@ def rows_of(*values: Any) -> list[np.ndarray] | None:
 def _row(value: Any, shape: tuple[int, ...]) -> np.ndarray:
     is_row = isinstance(value, np.ndarray) and value.shape == shape
     if is_row and value.flags.c_contiguous and value.flags.writeable:
-        return value
+        row: np.ndarray = value
+        return row
     return np.array(np.broadcast_to(value, shape), order="C")
 
 

@@ -37,7 +37,7 @@ def interpolation_slack(
     return slack
 
 
-class Corner(NamedTuple):
+class LooseCorner(NamedTuple):
     """A vertex seen from a pixel, and how far it may be off; 1/w and the share that it may be off."""
 
     x: float
@@ -81,7 +81,7 @@ def fill_slack(primitives, known, piece, pixel, own, first, slack):
 def corner(snapped, inverse_w, off, weight_error, step, vertex, column, row):
     """A vertex as it is seen from a pixel."""
     x, y = snapped[vertex, 0] / step - column, snapped[vertex, 1] / step - row
-    return Corner(x, y, off[vertex, 0], off[vertex, 1], np.float64(inverse_w[vertex]), weight_error[vertex])
+    return LooseCorner(x, y, off[vertex, 0], off[vertex, 1], np.float64(inverse_w[vertex]), weight_error[vertex])
 
 
 @compiled
