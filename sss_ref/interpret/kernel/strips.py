@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from sss_ref.interpret.kernel.border import carried_over, is_dilation
 from sss_ref.interpret.kernel.fragment_rows import put_words
 from sss_ref.interpret.kernel.modules import address_of
 from sss_ref.interpret.kernel.planned import StagePlan, cleared, planned
@@ -50,12 +51,14 @@ def run_vertices(
 
 def run_fragments(work: Work, pool: Executor | None) -> None:
     """Run the stages of a pass on all its fragments and fill its outputs, by bands of rows over the pool."""
-    filling, clearing = planned(work), cleared(work)
+    dilates = is_dilation(work.this_pass)
+    filling, clearing = planned(work), Program() if dilates else cleared(work)
     calls, clears = filling.calls, clearing.calls
 
     def band(first_row: int) -> None:
         rows = slice(first_row, min(first_row + BAND, work.fragments.height))
-        run_rows(covered(work.fragments, rows), first_row, calls, clears, scratch(filling))
+        where = carried_over(work, rows) if dilates else covered(work.fragments, rows)
+        run_rows(where, first_row, calls, clears, scratch(filling))
 
     for _ in (pool.map if pool else map)(band, range(0, work.fragments.height, BAND)):
         pass
