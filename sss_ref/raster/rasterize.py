@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from sss_ref.cache.compiled import compiled
+from sss_ref.cache.spare_memory import SPARE
 from sss_ref.raster.coverage import acceptance, at, covered_columns, edges
 from sss_ref.raster.primitives import Primitives
 from sss_ref.raster.viewport import Viewport
@@ -61,8 +62,8 @@ def first_and_last(
 def drawn(primitives: Primitives, viewport: Viewport, pool: Executor | None, band_rows: int, last_rows: int) -> Target:
     """The target with all pieces drawn into it; last_rows: those of its `last`, all or none."""
     shape = (viewport.height, viewport.width)
-    last = np.empty((last_rows, viewport.width), np.int32)
-    target = Target(np.empty(shape, np.int32), last, np.empty(shape, np.float32))
+    last = SPARE.empty((last_rows, viewport.width), np.int32)
+    target = Target(SPARE.empty(shape, np.int32), last, SPARE.empty(shape, np.float32))
     bins = bin_pieces(primitives, viewport.height, viewport.step, band_rows)
 
     def draw(band: int) -> None:

@@ -7,6 +7,7 @@ from types import ModuleType
 
 import numpy as np
 
+from sss_ref.cache.spare_memory import SPARE
 from sss_ref.errors import MeshError
 from sss_ref.errors.wording import told
 from sss_ref.interpret import arrays
@@ -99,7 +100,7 @@ def shade(
 ) -> dict[str, np.ndarray]:
     """Run the stages of a pass once; the named outputs. Raises RenderError where one is not finite (rule A6)."""
     kinds, size = this_pass.values, (fragments.width, fragments.height)
-    outputs = {name: np.empty(shape_of(kinds[name], *size), dtype_of(kinds[name])) for name in names}
+    outputs = {name: SPARE.empty(shape_of(kinds[name], *size), dtype_of(kinds[name])) for name in names}
     clear = {name: np.broadcast_to(scene.clear(name), CHANNELS[kinds[name]]) for name in names}
     backgrounds = {name: value.astype(dtype_of(kinds[name])) for name, value in clear.items()}
     work = Work(this_pass, fragments, scene.uniforms, buffers, outputs, backgrounds)

@@ -8,6 +8,7 @@ import pytest
 from alternatives import methods_with_settings
 from PIL import Image
 
+from sss_ref.cache.spare_memory import SPARE
 from sss_ref.errors import SceneError
 from sss_ref.language.layout import CHANNELS, dtype_of
 from sss_ref.rendering.fold import render
@@ -62,11 +63,13 @@ def test_at_the_end_there_is_all_that_is_kept():
 
 
 @pytest.mark.parametrize("keep", ["final", "all"])
-def test_what_is_counted_is_what_is_taken(small, keep):
+def test_what_is_counted_is_what_is_taken(small, keep, monkeypatch):
     """NumPy tells what it takes; masks and the notes on an image are not counted, at most 4 bytes a pixel."""
     small["shadow_map"] = {"width": 64, "height": 64}
     scene = load_scene(small, **{"camera.width": 1024, "camera.height": 1024})
     render(scene, keep=keep)
+    monkeypatch.setattr(SPARE, "blocks", [])
+    monkeypatch.setattr(SPARE, "most", 0)
     tracemalloc.start()
     render(scene, threads=1, keep=keep)
     _, peak = tracemalloc.get_traced_memory()

@@ -32,4 +32,6 @@ def border(mask: np.ndarray, rows: slice) -> np.ndarray:
     beyond = (first - (rows.start - 1), rows.stop + 1 - stop)
     around = np.pad(mask[first:stop] != 0, (beyond, (1, 1)))
     tall = around[:-2] | around[1:-1] | around[2:]
-    return (tall[:, :-2] | tall[:, 1:-1] | tall[:, 2:]) & ~around[1:-1, 1:-1]
+    beside = tall[:, :-2] | tall[:, 1:-1] | tall[:, 2:]
+    found: np.ndarray = beside & ~around[1:-1, 1:-1]
+    return found
