@@ -1,5 +1,8 @@
 """Light from behind that goes round the terminator: no line where light and shade meet, in both methods."""
 
+import runpy
+from pathlib import Path
+
 import numpy as np
 import pytest
 from scenes import around, settings_with, sphere, written
@@ -85,3 +88,14 @@ def test_light_and_shade_meet_without_a_dark_line(light):
     """With every light a line is darker than both its sides by 2 %; without the wrap by more than 10 %."""
     assert max(dips(light, **WRAPPED)) <= 0.02
     assert np.median(dips(light, **{**WRAPPED, "translucency.combine": "transmit"})) > 0.1
+
+
+@pytest.mark.parametrize(("scene", "light"), [("figure3_with", 0), ("default", 0), ("default", 1)])
+def test_on_the_bust_nothing_but_its_own_shape_darkens_the_terminator(scene, light):
+    """As benchmarks/terminator.py has it, smaller; with the d_min, wrap and scale of before most rows are darker."""
+    given = {"camera.width": 192, "camera.height": 192, "phong.specular": 0.0}
+    before = {"translucency.d_min": 0.1, "translucency.wrap": 0.3, "translucency.scale": 0.1}
+    terminator = runpy.run_path(str(Path(__file__).parents[2] / "benchmarks" / "terminator.py"))
+    now, then = (terminator["classified"](scene, light, given | changed)["open"] for changed in ({}, before))
+    assert len(now) >= 20 and max(now) <= 0.02
+    assert np.mean(np.array(then) > 0.02) > 0.4
