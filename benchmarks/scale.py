@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -29,6 +29,7 @@ from sss_ref.batch.table import write_table
 from sss_ref.batch.workshop import Job, Workshop
 
 WARM = 10  # items before measuring
+COUNTED = 5  # items of which names and bytes are counted
 ROUNDS = 8  # how often an item that is there is handed out, to measure that alone
 STARTED = "from sss_ref.batch.workshop import *; import sys, pickle; Workshop(pickle.load(sys.stdin.buffer)).outcome(0)"
 
@@ -38,7 +39,6 @@ class Costs:
     """Of an item, seconds of a processor and what it leaves."""
 
     items: list[float]  # of each that was measured, all in all
-    rendering: float  # of it
     there: float  # of finding an item that is there
     changes: float  # of names in the file system
     written: float  # bytes
@@ -91,33 +91,42 @@ def simulated(items: int, costs: Costs, cluster: Cluster) -> Spent:
 def sweep_of(outputs: list[str], items: int) -> Sweep:
     """Pictures of the shipped head, 256^2, from around."""
     size = {"camera": {"width": 256, "height": 256}}
-    turn = {"camera.azimuth": {"first": 0, "last": 90, "count": items}}
+    turn = {"camera.azimuth": {"first": 0, "last": 90, "count": items + COUNTED}}
     return checked_sweep({"scene": "default", "set": size, "vary": turn, "outputs": outputs}, "sweep")
 
 
 def measured(job: Job, items: int) -> Costs:
-    """Costs of the items of a job, in this process."""
-    workshop, changes = Workshop(job), 0
-
-    def count(event: str, arguments: tuple[object, ...]) -> None:
-        nonlocal changes
-        created = event == "open" and isinstance(arguments[2], int) and arguments[2] & os.O_CREAT
-        changes += bool(created or event in ("os.mkdir", "os.rename", "os.remove", "os.rmdir"))
-
-    sys.addaudithook(count)
+    """Costs of the items of a job, in this process, and of the names and bytes that its last items leave."""
+    workshop, took = Workshop(job), list[float]()
     for item in range(WARM):
         workshop.outcome(item)
-    before, changes, took, rendering = size_of(job.folder), 0, [], 0.0
     for item in range(WARM, items):
         start = time.process_time()
-        rendering += workshop.outcome(item).seconds
+        workshop.outcome(item)
         took.append(time.process_time() - start)
-    made = changes / len(took)
     start = time.process_time()
     for item in range(WARM, items):
         workshop.outcome(item)
     there = (time.process_time() - start) / len(took)
-    return Costs(took, rendering / len(took), there, made, (size_of(job.folder) - before) / len(took))
+    before = size_of(job.folder)
+    changes = changes_of_names(lambda: [workshop.outcome(item) for item in range(items, items + COUNTED)])
+    return Costs(took, there, changes / COUNTED, (size_of(job.folder) - before) / COUNTED)
+
+
+def changes_of_names(work: Callable[[], object]) -> int:
+    """How many files and folders are made, renamed and removed."""
+    found, counting = 0, True
+
+    def count(event: str, arguments: tuple[object, ...]) -> None:
+        nonlocal found
+        if counting:
+            created = event == "open" and isinstance(arguments[2], int) and arguments[2] & os.O_CREAT
+            found += bool(created or event in ("os.mkdir", "os.rename", "os.remove", "os.rmdir"))
+
+    sys.addaudithook(count)  # for good, and it takes time of its own
+    work()
+    counting = False
+    return found
 
 
 def size_of(folder: Path) -> int:
