@@ -3,6 +3,7 @@
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -55,3 +56,18 @@ def test_the_corpus_says_of_each_file_what_came_of_it(tmp_path):
     assert printed[0].split() == ["suffix", "files", "agrees", "alone", "refused", "differs", "broken"]
     assert printed[1].split() == [".obj", "3", "1", "0", "1", "1", "0"]
     assert [line.partition(".obj")[0] for line in printed[3:]] == ["trimesh has in b", "refused: c"]
+
+
+def test_the_simulation_of_a_cluster_waits_where_one_would(monkeypatch):
+    """Four items of a second on two cores: by themselves, handed out by one a second, stored by a slow file system."""
+    monkeypatch.syspath_prepend(str(FOLDER))
+    import scale
+
+    costs = scale.Costs(items=[1.0], there=0.0, changes=3.0, written=8.0)
+    free = scale.Cluster(cores=2, handing=0.0, starting=0.5, changes=1e30, bandwidth=1e30)
+    alone = scale.simulated(4, costs, free)
+    assert alone.until == pytest.approx(2.5) and alone.cores == pytest.approx(2 / 2.5)
+    handed = scale.simulated(4, costs, replace(free, handing=1.0, starting=0.0))  # begun at 1, 2, 3 and 4
+    assert handed.until == pytest.approx(5) and handed.handing == pytest.approx(4 / 5)
+    stored = scale.simulated(4, costs, replace(free, changes=3.0, bandwidth=8.0, starting=0.0))  # two seconds an item
+    assert stored.until == pytest.approx(9) and stored.files == pytest.approx(8 / 9)
