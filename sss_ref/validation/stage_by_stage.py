@@ -5,6 +5,7 @@ from dataclasses import replace
 from itertools import chain
 from os import PathLike
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -22,17 +23,16 @@ from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.chained import within_bounds
 from sss_ref.validation.accept.dumped import Buffers, Drawing, Stored
 from sss_ref.validation.accept.rebased import RASTERIZER, Check, checks, last_round
-from sss_ref.validation.cause.hypotheses import hypotheses
-from sss_ref.validation.cause.power import power
-from sss_ref.validation.cause.puzzle import Puzzle
 from sss_ref.validation.clock import Clock, Limit
 from sss_ref.validation.profile_file import profile_of
 from sss_ref.validation.report.report import Finding, Report
-from sss_ref.validation.report.worst_pixel import worst_pixel
 from sss_ref.validation.scope import FULL, VERDICTS_ALONE, Scope
 from sss_ref.validation.verdict.clusters import Whereabouts
 from sss_ref.validation.verdict.suspects import narrowing, suspects
 from sss_ref.validation.verdict.verdict import Verdict, judged
+
+if TYPE_CHECKING:
+    from sss_ref.validation.cause.power import Power
 
 DEFAULT_PROFILE = "vulkan"
 
@@ -109,7 +109,7 @@ def judge(
     missing = tuple(name for name in oracle.scene.method.outputs if name not in drawing.buffers)
     with clock.phase("power"):
         where = {name: check.where for name, check in compared.items()}
-        sight = tuple(power(case, where)) if scope.power else ()
+        sight = _sight(case, where) if scope.power else ()
     name = profile if isinstance(profile, str) else "a profile of its own"
     whole = tuple(replace(each, chained=within[each.buffer]) for each in verdicts)
     return Report(whole, missing, finding, sight, (), name, drawing.device, clock.seconds, scope.stage)
@@ -195,8 +195,19 @@ def _check_stage(oracle: Result, scope: Scope) -> None:
         raise SceneError(told("only", "a stage of the method", scope.stage, remedy))
 
 
+def _sight(case: Case, judged: Mapping[str, np.ndarray]) -> tuple["Power", ...]:
+    """How small an error would be seen. judged: buffer -> its compared pixels, bool (H, W)."""
+    from sss_ref.validation.cause.power import power
+
+    return tuple(power(case, judged))
+
+
 def _finding(case: Case, check: Check, verdict: Verdict, seconds: float) -> Finding:
-    """Look closer at what is wrong."""
+    """Look closer at what is wrong, with all that this takes, which a right dump does not."""
+    from sss_ref.validation.cause.hypotheses import hypotheses
+    from sss_ref.validation.cause.puzzle import Puzzle
+    from sss_ref.validation.report.worst_pixel import worst_pixel
+
     drawn = last_round(case, case.oracle.scene.method[check.pass_name])
     section = worst_pixel(check, verdict.worst.at, drawn) if verdict.worst else None
     if not check.where.any():

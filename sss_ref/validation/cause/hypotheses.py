@@ -11,7 +11,7 @@ from itertools import chain
 
 from sss_ref.validation.cause.beside import backgrounds
 from sss_ref.validation.cause.dilation import dilations
-from sss_ref.validation.cause.hypothesis import Hypothesis, fitting
+from sss_ref.validation.cause.hypothesis import TELLING, Hypothesis, fitting
 from sss_ref.validation.cause.of_draws import of_draws, of_vertices
 from sss_ref.validation.cause.of_stages import mutated, of_stages
 from sss_ref.validation.cause.of_suspects import mutated_suspects, of_suspects
@@ -19,7 +19,6 @@ from sss_ref.validation.cause.on_the_way import changes_on_the_way
 from sss_ref.validation.cause.puzzle import Puzzle
 from sss_ref.validation.cause.sample import chain_sample_of, fit_of, sample_of
 
-TELLING = 8  # wrong pixels from which on explanations mean something
 MOST_SAID = 8
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+TELLING = 8  # wrong pixels from which on explanations mean something
 ENOUGH = 0.98  # of the wrong pixels that an explanation must bring within reach, and of the right ones to stay there
 ALL = 0.999
 MOST_ALIKE = 4  # mistakes that compute the same, said one by one

@@ -3,14 +3,16 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
-from sss_ref.explanation.rows import Section
 from sss_ref.validation.accept.rebased import Check
-from sss_ref.validation.cause.hypotheses import TELLING
-from sss_ref.validation.cause.hypothesis import Hypothesis
-from sss_ref.validation.cause.power import Power
+from sss_ref.validation.cause.hypothesis import TELLING, Hypothesis
 from sss_ref.validation.report.metrics import Likeness
 from sss_ref.validation.verdict.verdict import Verdict
+
+if TYPE_CHECKING:  # a right dump is told without them
+    from sss_ref.explanation.rows import Section
+    from sss_ref.validation.cause.power import Power
 
 MOST_NAMED = 6  # suspects in a sentence
 MOST_TO_DUMP = 4  # buffers that would narrow bounds
@@ -28,7 +30,7 @@ class Finding:
 
     check: Check
     hypotheses: tuple[Hypothesis, ...]
-    section: Section | None
+    section: "Section | None"
     not_tried: str = ""
 
 
@@ -44,7 +46,7 @@ class Report:
     verdicts: tuple[Verdict, ...]
     missing: tuple[str, ...]
     finding: Finding | None = None
-    power: tuple[Power, ...] = ()
+    power: tuple["Power", ...] = ()
     likeness: tuple[Likeness, ...] = ()
     profile: str = ""
     device: str | None = None
