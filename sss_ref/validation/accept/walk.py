@@ -3,7 +3,9 @@
 A stage gets what was dumped of the stages before it in its pass; of what was not dumped, all that they may have given.
 """
 
+import os
 from collections.abc import Iterable, Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
@@ -53,15 +55,21 @@ def run_stage(drawn: DrawnPass, at: Pixels, buffer: str) -> StageRun:
 
 
 def filled(drawn: DrawnPass, where: np.ndarray, start: Mapping[str, KnownBuffer]) -> dict[str, KnownBuffer]:
-    """What the stages of a pass may write into the wanted buffers, run once.
+    """What the stages of a pass may write into the wanted buffers, run once; on large pictures by several threads.
 
     where: bool (H, W), the pixels at which they run. start: what the buffers hold elsewhere; left as it is.
     """
     buffers = {name: buffer.copy() for name, buffer in start.items()}
-    for at in in_chunks(where):
+
+    def fill(at: Pixels) -> None:
         for run in walk(drawn, at):
             for name in (name for name in run.written if name in buffers):
                 buffers[name].write(run.written[name], at)
+
+    chunks = list(in_chunks(where))
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        for _ in (pool.map if len(chunks) > 1 else map)(fill, chunks):
+            pass
     return buffers
 
 
