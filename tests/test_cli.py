@@ -287,7 +287,7 @@ def test_info_of_a_file_and_of_a_shipped_mesh(data_folder, capsys):
         "bounds": "(0, 0, 0) to (1, 1, 1)",
         "size": "(1, 1, 1)",
         "mm_per_unit": "250 if the longest side is 250 mm; the scene has to say it",
-        "d_min": "0.05, a twentieth of the longest side; see sss-ref init",
+        "d_min": "0.015, 1.5 % of the longest side; see sss-ref init",
         "normals": "computed, weighted by area",
         "watertight": "yes",
         "UVs": "none; for the texture-space method set mesh.unwrap = true",
@@ -302,7 +302,7 @@ def test_info_as_json(data_folder, capsys):
     facts = json.loads(capsys.readouterr().out)
     assert (facts["low"], facts["high"], facts["size"]) == ([0, 0, 0.5], [3, 1, 0.5], [3, 1, 0])
     assert (facts["triangles"], facts["vertices"], facts["watertight"]) == (2, 4, False)
-    assert (facts["mm_per_unit"], facts["d_min"]) == (83.3, 0.15)
+    assert (facts["mm_per_unit"], facts["d_min"]) == (83.3, 0.045)
     uv = {"shifted": 0, "mirrored": 0, "zero_area": 0, "out_of_range": 2, "seams": 0, "bounds": [0, 0, 1.5, 1]}
     assert facts["uv"] == uv
     assert main(["info", "quad"]) == 0

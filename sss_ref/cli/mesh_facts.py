@@ -39,7 +39,7 @@ class MeshFacts:
         yield "bounds", f"{_written(self.low)} to {_written(self.high)}"
         yield "size", _written(self.size)
         yield "mm_per_unit", f"{self.mm_per_unit:g} if the longest side is {LONGEST_MM:g} mm; the scene has to say it"
-        yield "d_min", f"{self.d_min:g}, a twentieth of the longest side; see sss-ref init"
+        yield "d_min", f"{self.d_min:g}, 1.5 % of the longest side; see sss-ref init"
         yield "normals", "from the file" if self.normals == "file" else "computed, weighted by area"
         yield "watertight", "yes" if self.watertight else "no: inside and outside are not known"
         yield from _uv_rows(self.uv, self.triangles) if self.uv else [("UVs", NO_UVS)]
