@@ -19,6 +19,7 @@ from planted_newer import NEWER
 
 from sss_ref.rendering.result import Result
 from sss_ref.validation.report.report import Report
+from sss_ref.validation.scope import SECONDS, Scope
 from sss_ref.validation.stage_by_stage import validate
 
 
@@ -27,11 +28,14 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--size", type=int, default=64)
     parser.add_argument("--only", default="", help="mistakes with this in their name")
+    parser.add_argument("--seconds", type=float, default=SECONDS, help="for the explanations of each")
     options = parser.parse_args()
+    scope = Scope(seconds=options.seconds, power=False)
     counts: Counter[str] = Counter()
     for planted in (each for each in (*PLANTED, *NEWER) if options.only in each.name):
         start = time.perf_counter()
-        report = validate(oracle(planted.scene, options.size), planted.drawn(scene_of(planted.scene, options.size)))
+        right = oracle(planted.scene, options.size)
+        report = validate(right, planted.drawn(right.scene), explain=scope)
         outcome = outcome_of(planted, report)
         counts[outcome] += 1
         print(f"{planted.name}: {outcome}, {time.perf_counter() - start:.1f} s", flush=True)
