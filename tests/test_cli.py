@@ -319,7 +319,7 @@ def test_init_writes_a_scene_that_renders_and_never_replaces_one_unasked(out, ca
     assert capsys.readouterr().out == "scene.toml: sss-ref render scene.toml shows it\n"
     small = ["--size", "16x16", "--set", "shadow_map.width=16", "--set", "shadow_map.height=16"]
     assert main(["render", "scene.toml", "-o", "picture", "--interpreter", "arrays", *small]) == 0
-    assert "set output.exposure = -0.2" in capsys.readouterr().err  # flat faces shine as a whole
+    assert "set output.exposure = -0.1" in capsys.readouterr().err  # flat faces shine as a whole
     (out / "scene.toml").write_text("mine")
     assert main(["init", "tetrahedron"]) == 2
     assert capsys.readouterr().err == (
