@@ -9,8 +9,8 @@ from sss_ref.webgl import page
 
 
 def test_a_stage_is_printed_with_what_it_uses(capsys):
-    by_the_text = ["--set", "translucency.form=beer", "--set", "translucency.combine=transmit"]
-    assert main(["glsl", "translucency_beer", *by_the_text]) == 0
+    keys = ["translucency.form=beer", "translucency.combine=transmit", "shadow_map.test=slope"]
+    assert main(["glsl", "translucency_beer", *(word for key in keys for word in ("--set", key))]) == 0
     assert capsys.readouterr().out == stage_source(translucency_beer, {}) + "\n"
 
 
