@@ -7,6 +7,7 @@ from sss_ref.cli.batch_commands import batch, turntable
 from sss_ref.cli.comparing import diff, verify
 from sss_ref.cli.console import BAD_INPUT, err
 from sss_ref.cli.explaining import explain
+from sss_ref.cli.fit_command import fit
 from sss_ref.cli.listing import info, scenes
 from sss_ref.cli.render_commands import render, warmup
 from sss_ref.cli.shader_commands import bundle, glsl, webgl
@@ -41,6 +42,7 @@ for command in (
     webgl,
     validate,
     truth,
+    fit,
     info,
     scenes,
     warmup,

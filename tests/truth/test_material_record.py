@@ -1,0 +1,98 @@
+"""Records of other formats, with values worked out by hand."""
+
+import json
+import math
+
+import pytest
+
+from sss_ref.errors import SceneError
+from sss_ref.truth.chandrasekhar import diffuse_half_space_reflectance
+from sss_ref.truth.material_record import volumes_of, volumes_of_gltf, volumes_of_openpbr
+from sss_ref.truth.photon import Volume
+
+GLTF = {
+    "KHR_materials_volume": {
+        "attenuationColor": [math.exp(-1), math.exp(-2), math.exp(-4)],
+        "attenuationDistance": 0.002,
+    },
+    "KHR_materials_scatter": {"multiscatterColor": [1.0, 0.5, 0.0], "scatterAnisotropy": 0.0},
+    "KHR_materials_ior": {"ior": 1.4},
+}
+OPENPBR = {"subsurface_color": [0.9, 0.5, 0.0], "subsurface_radius": 2.0, "subsurface_radius_scale": [1.0, 0.5, 0.25]}
+
+
+def test_a_gltf_material_has_its_extinction_per_metre():
+    red, green, blue = volumes_of_gltf(GLTF)
+    assert [v.scattering + v.absorption for v in (red, green, blue)] == pytest.approx([0.5, 1.0, 2.0], rel=1e-12)
+    bent = 4.09712 + 4.20863 * 0.5 - math.sqrt(9.59217 + 41.6808 * 0.5 + 17.7126 * 0.25)
+    assert green.absorption == pytest.approx(bent**2, rel=1e-12) and green.ior == 1.4
+    assert red.absorption == pytest.approx(0.0, abs=1e-5) and red.absorption > 0  # or a walk had no end
+    assert blue.scattering == pytest.approx(0.0, abs=2e-5)  # the formula gives an albedo of 6e-6 for black
+
+
+def test_the_draft_extension_means_the_same():
+    draft = {**GLTF, "KHR_materials_volume_scatter": GLTF["KHR_materials_scatter"]}
+    del draft["KHR_materials_scatter"]
+    assert volumes_of_gltf(draft) == volumes_of_gltf(GLTF)
+
+
+def test_openpbrs_radius_is_a_mean_free_path_in_scene_units():
+    red, green, blue = volumes_of_openpbr(OPENPBR, mm_per_unit=10.0)
+    assert [v.scattering + v.absorption for v in (red, green, blue)] == pytest.approx(
+        [1 / 20, 1 / 10, 1 / 5], rel=1e-12
+    )
+    for volume, color in ((red, 0.9), (green, 0.5)):
+        s = math.sqrt(volume.absorption / (volume.scattering + volume.absorption))
+        assert (1 - s) * (1 - 0.139 * s) / (1 + 1.17 * s) == pytest.approx(color, rel=1e-12)
+    assert blue.scattering == 0 and red.ior == 1.5
+
+
+@pytest.mark.parametrize("color", [0.3, 0.6, 0.9])
+def test_the_colour_is_that_of_a_half_space_lit_from_all_sides(color):
+    """Both formats' relations are fits of the same reflectance, without a border: within .002 of Chandrasekhar's."""
+    pbr = volumes_of_openpbr({**OPENPBR, "subsurface_color": [color] * 3})[0]
+    gltf = volumes_of_gltf({**GLTF, "KHR_materials_scatter": {"multiscatterColor": [color] * 3}})[0]
+    for volume in (pbr, gltf):
+        albedo = volume.scattering / (volume.scattering + volume.absorption)
+        assert diffuse_half_space_reflectance(albedo) == pytest.approx(color, abs=0.002)
+
+
+def test_an_anisotropic_medium_is_similar_to_the_isotropic_one():
+    one, other = (volumes_of_openpbr({**OPENPBR, "subsurface_scatter_anisotropy": g})[1] for g in (0.0, 0.6))
+    reduced = other.scattering * 0.4
+    albedo = one.scattering / (one.scattering + one.absorption)
+    assert reduced / (reduced + other.absorption) == pytest.approx(albedo, rel=1e-12)
+
+
+def test_files_and_names(tmp_path):
+    path = tmp_path / "wax.json"
+    path.write_text(json.dumps({"name": "wax", "extensions": GLTF}))
+    assert volumes_of(str(path)) == volumes_of_gltf(GLTF)
+    path.write_text(json.dumps(OPENPBR))
+    assert volumes_of(str(path), ior=1.0, mm_per_unit=10.0)[0] == volumes_of_openpbr(OPENPBR, 10.0)[0]._replace(ior=1.0)
+    assert volumes_of("skin1")[0] == Volume(0.74, 0.032, 0.0, 1.3)
+
+
+@pytest.mark.parametrize(
+    ("content", "line"),
+    [
+        ("{", "expected a material record, got something else"),
+        ("[]", "expected a material record, got something else"),
+        ('{"extensions": {}}', "expected KHR_materials_scatter and KHR_materials_volume, got none"),
+        (
+            json.dumps({"extensions": {**GLTF, "KHR_materials_volume": {}}}),
+            "expected attenuation in all channels, got none",
+        ),
+        (json.dumps({**OPENPBR, "subsurface_radius": 0}), "subsurface_radius: expected more than 0 in all channels"),
+        (
+            json.dumps({**OPENPBR, "subsurface_color": [2, 0, 0]}),
+            r"subsurface_color: expected three numbers from 0 to 1, got \[",
+        ),
+        (json.dumps({**OPENPBR, "specular_ior": "x"}), 'specular_ior: expected a number, got "x"'),
+    ],
+)
+def test_what_is_no_record_is_refused(tmp_path, content, line):
+    path = tmp_path / "material.json"
+    path.write_text(content)
+    with pytest.raises(SceneError, match=line):
+        volumes_of(str(path))
