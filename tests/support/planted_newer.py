@@ -279,7 +279,7 @@ NEWER = [
     Planted(
         "extinction of red for all",
         vertex("extinction_per_mm", lambda e: np.repeat(e[:1], 3)),
-        r"extinction_per_mm is \(0\.25, 0\.25, 0\.25\)",
+        r"extinction_per_mm is \((\S+), \1, \1\)",
         "layers",
     ),
     Planted("unit forgotten", vertex("mm_per_unit", instead(1.0)), "mm_per_unit is 1 ", "in mm"),
