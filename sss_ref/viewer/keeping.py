@@ -42,7 +42,7 @@ def scene_text(data: Mapping[str, Any], folder: Path, dropped: Collection[str]) 
 
 def picture_file(scene: Scene) -> bytes:
     """`image.png`, as `sss-ref render` writes it."""
-    result = render(scene, keep=["image", "coverage"])
+    result = render(scene, keep={"image", "coverage"} & set(scene.method.values))
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "image.png"
         write_png(path, *preview(result), encode=image_encoding_of(scene.settings))

@@ -16,11 +16,12 @@ from sss_ref.scene.first_scene import first_scene
 from sss_ref.scene.placed_mesh import PlacedMesh
 from sss_ref.scene.scene import Scene
 from sss_ref.scene_file.layers import filled, overridden
-from sss_ref.scene_file.viewpoints import Camera
-from sss_ref.view.light_fit import Bounds
+from sss_ref.scene_file.viewpoints import Camera, LightSettings
+from sss_ref.view.light_fit import AnyLight, Bounds, placed
 from sss_ref.viewer import messages, steering
 
 CAMERA: TypeAdapter[Camera] = TypeAdapter(Camera)
+LIGHT: TypeAdapter[AnyLight] = TypeAdapter(LightSettings)
 
 
 class Session:
@@ -81,6 +82,15 @@ class Session:
             remedy = "correct it in the menu"
             raise SceneError(told("camera", "one that can be moved", "one with mistakes", remedy)) from None
 
+    def _light(self, number: int) -> AnyLight:
+        """A light as the changes so far have it. Raises SceneError for one with mistakes, and where there is none."""
+        try:
+            light: AnyLight = LIGHT.validate_python(filled(self.data)["lights"][number])
+            return light
+        except (ValidationError, LookupError, TypeError):
+            key, remedy = f"lights.{number}", "correct it in the menu"
+            raise SceneError(told(key, "a light that can be moved", "none, or one with mistakes", remedy)) from None
+
     def _steered(self, message: Any) -> steering.Changes:
         """The camera's keys after it was moved as a message says."""
         camera, bounds = self.camera(), self.bounds
@@ -109,16 +119,13 @@ class Session:
         self.data = {**self.data, "camera": {**table, **planes}}
 
     def _move_light(self, message: messages.MoveLight) -> None:
-        key, lights = f"lights.{message.light}", self.scene.settings.lights
-        if not (message.light < len(lights) == len(self.data.get("lights", ()))):
-            raise SceneError(told(key, f"one of {len(lights)} lights", "another", "choose one of the menu"))
-        light, now = lights[message.light], self.data["lights"][message.light]
-        position = np.array(now.get("position") or light.position, np.float64)
-        target = np.array(now.get("target") or light.target, np.float64)
-        position = target + message.factor * (position - target)
+        scene, bounds = self.scene, self.bounds
+        light = placed(self._light(message.light), bounds)
+        target = np.array(light.target, np.float64)
+        position = target + message.factor * (np.array(light.position, np.float64) - target)
         way = message.right, message.up
-        moved = steering.light_moved((position, target), self.scene.camera, self.bounds, way, message.behind)
-        self._set(f"{key}.position", moved)
+        moved = steering.light_moved((position, target), scene.camera, bounds, way, message.behind)
+        self._set(f"lights.{message.light}.position", moved)
 
     def _set(self, key: str, value: Any) -> None:
         if value is None:

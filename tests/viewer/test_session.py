@@ -3,14 +3,18 @@
 import json
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from tabs import SMALL
 
-from sss_ref.errors import SceneError
+from sss_ref.errors import SceneError, SssRefError
 from sss_ref.scene.load import load_scene
 from sss_ref.viewer import messages
+from sss_ref.viewer.dropped import DroppedFiles
+from sss_ref.viewer.menu import menu
 from sss_ref.viewer.messages import message_of
 from sss_ref.viewer.session import Session, framed, plain, without
-from sss_ref.viewer.studio import starting_point
+from sss_ref.viewer.studio import Studio, starting_point
 
 
 @pytest.fixture
@@ -80,7 +84,7 @@ def test_a_light_on_an_orbit_gets_a_position(session):
 
 
 def test_a_light_that_is_not_there_is_refused(session):
-    with pytest.raises(SceneError, match=r"^lights\.5: expected one of 2 lights, got another; "):
+    with pytest.raises(SceneError, match=r"^lights\.5: expected a light that can be moved, got none, or one with mis"):
         take(session, "move_light", light=5, right=0, up=0, behind=False)
 
 
@@ -91,6 +95,42 @@ def test_the_mesh_is_framed_as_in_a_first_scene(session):
     camera = session.camera()
     assert (camera.type, camera.azimuth, camera.width) == ("orbit", 25.0, 64)
     assert framed(session.scene)["height"] == 64
+
+
+@pytest.mark.parametrize("value", [7, "all", [], [7, 7], [{"position": "here"}, {}], {"0": {}}])
+def test_lights_with_mistakes_are_not_moved(session, value):
+    take(session, "set", key="lights", value=value)
+    with pytest.raises(SceneError, match=r"^lights\.0: expected a light that can be moved, got "):
+        take(session, "move_light", light=0, right=0, up=0, behind=False)
+
+
+KEYS = [".".join((*table["path"][:1], each["key"])) for table in menu() for each in table["controls"]]
+JSON = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(max_size=4),
+    lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=4), inner, max_size=3),
+    max_leaves=6,
+)
+CHANGES = st.fixed_dictionaries(
+    {"kind": st.just("set"), "key": st.sampled_from(KEYS) | st.text(max_size=9), "value": JSON}
+)
+TURN = st.just({"kind": "turn", "right": 0.3, "up": -0.2}) | st.just({"kind": "fly", "right": 1, "up": 0, "ahead": 1})
+MOVE = st.just({"kind": "move_light", "light": 1, "right": 1, "up": 0, "behind": True, "factor": 0.1})
+OTHER = st.sampled_from(["orbit", "look_at", "free", "orthographic"]).map(lambda kind: {"kind": "camera", "type": kind})
+
+
+@given(st.lists(CHANGES | TURN | MOVE | OTHER, max_size=6))
+@settings(max_examples=150)
+def test_whatever_a_page_says_the_worst_is_one_of_our_errors(tmp_path_factory, said):
+    document = starting_point("default", SMALL)
+    studio = Studio(document, DroppedFiles(tmp_path_factory.mktemp("files")))
+    session = Session(document.data)
+    session.accept(session.data, studio.scene(session.data))
+    for facts in said:
+        try:
+            session.take(message_of(json.dumps(facts)))
+            session.accept(session.data, studio.scene(session.data))
+        except SssRefError as error:
+            assert str(error)
 
 
 def test_no_scene_yet_and_nothing_moves():
