@@ -5,7 +5,7 @@ from typing import Any
 from sss_ref.scene_file.settings import SceneFile
 
 SIDES = (768, 512, 448, 384, 320, 256, 224, 192, 160, 128, 96)  # pixels: of the longer side of a draft, largest first
-SLOWEST = 0.040  # seconds for a draft: 25 pictures a second
+SLOWEST = 0.030  # seconds for a draft; with its way to the page more than 20 come in a second
 ROOM_FOR_MORE = 0.8  # of that: a larger draft is tried where it will probably take no longer
 
 

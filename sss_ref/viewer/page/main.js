@@ -6,9 +6,10 @@ import { Picture } from "./picture.js";
 
 const find = (id) => document.getElementById(id);
 const PATIENCE = 500; // milliseconds after a small picture, after which it is said that the whole one is drawn
+const MENU_REST = 150; // milliseconds for which the menu stays as it is while pictures come fast
 const PART = 2 ** 18; // bytes of a dropped file that go at once
 const MESHES = /\.(obj|ply|stl|off|glb|gltf)$/i;
-const state = { facts: null, size: [1, 1], lost: false, dropped: new Map(), times: [] };
+const state = { facts: null, size: [1, 1], lost: false, dropped: new Map(), times: [], menuShown: 0 };
 let menu = null;
 
 const link = new Link({ hello, picture: shown, problems, refused, explanation, file, received }, linked);
@@ -39,7 +40,10 @@ function shown(facts, data, offset) {
   picture.draw(facts, data, offset);
   Object.assign(state, { facts, size: facts.size });
   find("problems").hidden = true;
-  menu.show(facts.values, facts.given);
+  if (!facts.draft || performance.now() - state.menuShown > MENU_REST) {
+    menu.show(facts.values, facts.given);
+    state.menuShown = performance.now();
+  }
   picture.showHandles(facts.handles, facts.values.lights, facts.ofCamera);
   for (const [id, type] of [["orbit", "orbit"], ["fly", "free"]]) {
     find(id).setAttribute("aria-pressed", String(facts.values.camera.type === type));
