@@ -18,7 +18,7 @@ from collections import Counter
 from contextlib import contextmanager
 from pathlib import Path
 
-from sss_ref.cli import main
+from sss_ref.scene.first_scene import write_first_scene
 from sss_ref.webgl.browser import BROWSERS
 
 STEP = 0.012  # seconds between two moves of the mouse
@@ -95,6 +95,6 @@ if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as folder:
         if given.mesh:
             given.scene = f"{folder}/scene.toml"
-            main(["init", given.mesh, "-o", given.scene])
+            write_first_scene(given.mesh, Path(given.scene), replace=True)
         with served(given.scene, "--size", f"{given.size}x{given.size}") as (address, process):
             measured(address, given.seconds, process)
