@@ -110,7 +110,7 @@ class ViewerPage:
 
     def scene(self, path):
         """The scene file, saved."""
-        with self.page.expect_download() as download:
+        with self.page.expect_download(timeout=1000 * PATIENCE) as download:
             self.page.click('[data-save="scene"]')
         download.value.save_as(path)
         return path

@@ -51,3 +51,13 @@ def test_a_picture_that_is_small_enough_stays_what_it_is():
 def test_a_thin_picture_keeps_a_pixel():
     scene = load_scene("default", **SMALL | {"camera.width": 900, "camera.height": 2})
     assert (smaller(scene, 96).settings.camera.width, smaller(scene, 96).settings.camera.height) == (96, 1)
+
+
+def test_what_counts_in_pixels_or_texels_shrinks_with_them():
+    changes = {"blur.unit": "pixel", "blur.follow_surface": False, "blur.pixel_scale": 2.0, "camera.width": 256}
+    scene = load_scene("figure3_with", **changes, **{"shadow_map.width": 1024, "shadow_map.height": 512})
+    small = smaller(scene, 128).settings
+    assert small.blur.pixel_scale == 2.0 * 128 / max(256, scene.settings.camera.height)
+    assert small.shadow_map.kernel_scale == scene.settings.shadow_map.kernel_scale / 8
+    assert small.shadow_map.lookup_depth == scene.settings.shadow_map.lookup_depth / 8
+    assert (small.shadow_map.width, small.shadow_map.height) == (128, 64)

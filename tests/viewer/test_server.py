@@ -4,6 +4,7 @@ import asyncio
 import http.client
 import io
 import json
+import time
 import zipfile
 
 import numpy as np
@@ -16,6 +17,7 @@ from websockets.exceptions import InvalidStatus
 from sss_ref.pictures.png_file import image_encoding_of
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
+from sss_ref.viewer.studio import Superseded
 
 WIDE = {"camera.width": 512, "camera.height": 256}
 LARGE = {"camera.width": 2048, "camera.height": 2048}
@@ -82,6 +84,35 @@ def test_of_many_changes_the_newest_is_drawn_and_none_queues_up(tmp_path):
                     return count
 
     assert run(talk()) < 100
+
+
+def test_a_whole_picture_that_a_change_makes_old_is_given_up(tmp_path):
+    """The first whole picture is held up until it is out of date; it must not be waited for, nor come."""
+    held, given_up = [], []
+
+    async def talk():
+        async with served(tmp_path) as viewer, opened_page(viewer) as page:
+            real = viewer.studio.picture
+
+            def picture(order, is_stale):
+                if held or order.is_draft:
+                    return real(order, is_stale)
+                held.append(order)
+                end = time.monotonic() + PATIENCE / 2
+                while not is_stale() and time.monotonic() < end:
+                    time.sleep(0.01)
+                given_up.append(is_stale())
+                raise Superseded
+
+            viewer.studio.picture = picture
+            await page.say("set", key="phong.ambient", value=0.1)
+            while not held:
+                await asyncio.sleep(0.01)
+            await page.say("set", key="phong.ambient", value=0.2)
+            await page.next("picture", holds=has(ambient=0.2))
+
+    run(talk())
+    assert given_up == [True]
 
 
 def test_the_next_picture_waits_until_the_last_has_arrived(tmp_path):

@@ -1,6 +1,7 @@
 """Pictures as they are ordered, and that what is out of date is given up."""
 
 import os
+import tomllib
 
 import pytest
 from scenes import around, sphere, two_squares, written
@@ -90,3 +91,12 @@ def test_a_bundle_is_a_scene_to_start_with(tmp_path):
     studio = studio_of(tmp_path, starting_point(str(folder), {}))
     picture = studio.picture(Order(studio.document.data, "image", False), never)
     assert picture.facts["hash"] == render(load_scene("default", **SMALL), keep=["image"]).hashes["image"]
+
+
+def test_a_dropped_file_is_named_as_it_was_dropped_even_where_the_scene_has_one_of_its_name(tmp_path):
+    written(tmp_path / "mesh.obj", *sphere(6))
+    data = around("mesh.obj", 64)
+    studio = studio_of(tmp_path, Document(data, "scene.toml", tmp_path))
+    written(tmp_path / "files" / "mesh.obj", *two_squares())
+    assert len(studio.scene(data).mesh.triangles) == 4
+    assert tomllib.loads(kept_file("scene", studio, data).decode())["mesh"]["path"] == "mesh.obj"
