@@ -30,6 +30,10 @@ OTHERS = {
     "figure3_with, separable": ("figure3_with", {"method": "separable"}),
     "figure3_with, burley": ("figure3_with", {"method": "burley"}),
     "figure3_with, preintegrated": ("figure3_with", {"method": "preintegrated"}),
+    "figure3_with, gaussian_texture": (
+        "figure3_with",
+        {"method": "gaussian_texture", "irradiance_map.width": 128, "irradiance_map.height": 128},
+    ),
     "wedge, literal test, wide map": ("wedge", {**WIDE, "shadow_map.test": "literal", "shadow_map.filter": "bilinear"}),
 }
 

@@ -22,7 +22,8 @@ class Changes:
     preset: str | None = None
     """The preset that fills what the scene leaves out."""
     method: str | None = None
-    """How light is diffused: screen_space, texture_space, separable, burley or preintegrated."""
+    """How light is diffused: screen_space, texture_space, separable, burley,
+    preintegrated or gaussian_texture."""
     size: str | None = None
     """Size of the image, such as 512x512."""
 

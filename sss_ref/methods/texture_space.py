@@ -76,10 +76,17 @@ def laid_out(settings: SceneFile, stages: tuple[Stage, ...]) -> tuple[Pass, ...]
     """The irradiance map; where the kernel is in mm also what an offset is at each texel, beside the charts too."""
     if settings.blur.unit == "pixel":
         return (Pass("irradiance_map", "irradiance_map", layout(settings), stages),)
+    return laid_out_in_mm(settings, stages, "mm_per_offset")
+
+
+def laid_out_in_mm(settings: SceneFile, stages: tuple[Stage, ...], offset: str) -> tuple[Pass, Pass]:
+    """The irradiance map, and how many texels an offset is; offset: the uniform that has its length in mm."""
+    texel, texels_per_offset = LENGTHS_THERE
+    lengths_there = texel, texels_per_offset.bound(mm_per_offset=offset)
     feedback = {"texels_per_offset": "texels_per_offset_filled", "irradiance_mask": "texels_per_offset_mask"}
     in_mm = replace(layout(settings), triangle="irradiance_triangle")
     return (
-        Pass("irradiance_map", "irradiance_map", in_mm, (*LENGTHS_THERE, *stages)),
+        Pass("irradiance_map", "irradiance_map", in_mm, (*lengths_there, *stages)),
         Pass(
             "offset_fill",
             "irradiance_map",
@@ -114,9 +121,9 @@ def in_texels(*stages: Stage) -> tuple[Stage, ...]:
     return tuple(stage.renamed(lambda text: inside.get(text, text)) for stage in stages)
 
 
-def scattered(settings: SceneFile, light: int) -> tuple[Pass, Pass]:
-    """Dilation and blur of one light's irradiance map."""
-    filled = Pass(
+def filled(settings: SceneFile, light: int) -> Pass:
+    """The dilation of one light's irradiance map."""
+    dilated = Pass(
         str(Name("irradiance_fill", light)),
         "irradiance_map",
         ScreenDraw(),
@@ -124,6 +131,11 @@ def scattered(settings: SceneFile, light: int) -> tuple[Pass, Pass]:
         rounds=settings.irradiance_map.dilate,
         feedback={"irradiance": "irradiance_filled", "irradiance_mask": "irradiance_filled_mask"},
     )
+    return dilated.renamed(of_light(light))
+
+
+def scattered(settings: SceneFile, light: int) -> tuple[Pass, Pass]:
+    """Dilation and blur of one light's irradiance map."""
     names = {"lit": "irradiance_filled", "scattered": "scattered_irradiance"}
     if settings.blur.mask == "taps":
         names["coverage"] = "irradiance_filled_mask"
@@ -132,7 +144,7 @@ def scattered(settings: SceneFile, light: int) -> tuple[Pass, Pass]:
         stage = stage.retyped(pixel_scale=vec2).bound(pixel_scale="texels_per_offset_filled")
         draw = ScreenDraw("irradiance_filled_mask")
     blurred = Pass(str(Name("irradiance_blur", light)), "irradiance_map", draw, (stage,))
-    return filled.renamed(of_light(light)), blurred.renamed(of_light(light))
+    return filled(settings, light), blurred.renamed(of_light(light))
 
 
 def used(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
@@ -149,6 +161,11 @@ def image(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
     """The picture from irradiance and Phong colour, or from irradiance, albedo and highlights."""
     if settings.irradiance_map.image == "sqrt":
         return (texture_image.image_sqrt,)
+    return image_of_product(settings, lights)
+
+
+def image_of_product(settings: SceneFile, lights: Lights) -> tuple[Stage, ...]:
+    """The picture from irradiance, albedo and highlights."""
     of_one = soft_shadow.gloss_soft if is_soft(settings) else texture_image.gloss_where_lit
     gloss = (*shining(settings, *lights.each(of_one)), *lights.summed("gloss"))
     return (*gloss, texture_image.image_product)

@@ -16,7 +16,7 @@
 Texture space (paper 2.2, 3.3) has two files more, and what it shares it takes from above:
 
 10. `irradiance`: the light that arrives, laid out flat by UV.
-11. `texture_image`: the picture from the blurred layout.
+11. `texture_image`: the picture from the blurred layout; `gaussian_blur`: from six blurs of it, one after the other.
 
 `light_sum` adds several lights. Two tables name what passes from stage to stage: `buffers`, what is written, and
 `light_uniforms`, what each light has for itself. Which stages follow each other is said in `sss_ref.methods`.

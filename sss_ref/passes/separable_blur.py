@@ -9,12 +9,12 @@ from typing import NamedTuple
 from sss_ref.language import (
     Array,
     Texture,
+    bilinear_blend,
     dot,
     fractional_part,
     function,
     ivec2,
     max,
-    mix,
     select,
     stage,
     texel,
@@ -38,27 +38,26 @@ def nearness(position_world: Texture[vec3], coverage: Texture[bool], at: ivec2, 
 
 
 @function
-def tap_along(
+def tap_nearby(
     lit: Texture[vec3],
     coverage: Texture[bool],
     position_world: Texture[vec3],
     pixel: ivec2,
     offset: vec2,
-    step: ivec2,
     ahead: vec3,
 ) -> vec3:
-    """The lit model at an offset along one axis, between two texels; what is off the surface counts as the pixel.
-
-    offset: in pixels, 0 on the other axis; step: from a texel to the next along the axis.
-    """
+    """The lit model at an offset in pixels, bilinear; what is off the surface counts as the pixel."""
     corner = pixel + whole_part(offset)
-    beyond = corner + step
+    right = corner + ivec2(1, 0)
+    above = corner + ivec2(0, 1)
+    beyond = corner + ivec2(1, 1)
     here = texel(position_world, pixel)
-    fraction = fractional_part(offset)
-    sample = mix(
+    sample = bilinear_blend(
         lit_with_share(lit, corner, nearness(position_world, coverage, corner, here, ahead)),
+        lit_with_share(lit, right, nearness(position_world, coverage, right, here, ahead)),
+        lit_with_share(lit, above, nearness(position_world, coverage, above, here, ahead)),
         lit_with_share(lit, beyond, nearness(position_world, coverage, beyond, here, ahead)),
-        fraction.x + fraction.y,
+        fractional_part(offset),
     )
     return sample.xyz + texel(lit, pixel) * (1.0 - sample.w)
 
@@ -85,7 +84,7 @@ def scatter_rows(
     total = vec3(EMPTY_SUM, EMPTY_SUM, EMPTY_SUM)
     for tap in range(0, kernel_count):
         offset = vec2(kernel_place[tap] * pixels_per_offset, 0.0)
-        sample = tap_along(lit, coverage, position_world, pixel, offset, ivec2(1, 0), ahead)
+        sample = tap_nearby(lit, coverage, position_world, pixel, offset, ahead)
         total = total + sample * kernel_weight[tap]
     return ScatteredRows(total)
 
@@ -106,6 +105,6 @@ def scatter_columns(
     total = vec3(EMPTY_SUM, EMPTY_SUM, EMPTY_SUM)
     for tap in range(0, kernel_count):
         offset = vec2(0.0, kernel_place[tap] * pixels_per_offset)
-        sample = tap_along(scattered_rows, coverage, position_world, pixel, offset, ivec2(0, 1), ahead)
+        sample = tap_nearby(scattered_rows, coverage, position_world, pixel, offset, ahead)
         total = total + sample * kernel_weight[tap]
     return Scattered(total)

@@ -2,6 +2,7 @@
 
 from sss_ref.language.pipeline import Method
 from sss_ref.methods.burley import burley
+from sss_ref.methods.gaussian_texture import gaussian_texture
 from sss_ref.methods.parallel_views import with_parallel_rays
 from sss_ref.methods.preintegrated import preintegrated
 from sss_ref.methods.published import printed_methods
@@ -11,7 +12,12 @@ from sss_ref.methods.texture_space import texture_space
 from sss_ref.scene_file.settings import SceneFile
 
 METHODS = {"screen_space": screen_space, "texture_space": texture_space}
-TECHNIQUES = {"separable": separable, "burley": burley, "preintegrated": preintegrated}
+TECHNIQUES = {
+    "separable": separable,
+    "burley": burley,
+    "preintegrated": preintegrated,
+    "gaussian_texture": gaussian_texture,
+}
 PUBLISHED = {"screen_space": printed_methods.screen_space, "texture_space": printed_methods.texture_space}
 
 

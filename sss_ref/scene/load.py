@@ -19,7 +19,7 @@ from sss_ref.scene.scene import Scene
 from sss_ref.scene.surface_maps import normal_map_of, specular_map_of
 from sss_ref.scene_file.quantities import FLOAT32_OVERFLOW
 from sss_ref.scene_file.reading import Document, opened, validated
-from sss_ref.scene_file.settings import MeshSettings, SceneFile, ShadowMap
+from sss_ref.scene_file.settings import ON_SURFACE, MeshSettings, SceneFile, ShadowMap
 from sss_ref.scene_file.shipped import find_mesh
 from sss_ref.scene_file.viewpoints import Camera, PointLight
 from sss_ref.view.light_fit import AnyLight, fitted, placed
@@ -119,7 +119,7 @@ def _check_extent(surface: PlacedMesh) -> None:
 
 
 def _check_uvs(method: str, mesh: Mesh) -> None:
-    if method == "texture_space" and mesh.uvs is None:
+    if method in ON_SURFACE and mesh.uvs is None:
         raise SceneError(f"expected a mesh with UVs, got {mesh.name} without; set mesh.unwrap = true")
 
 

@@ -1,6 +1,7 @@
 """What the techniques beside the paper's two methods read of the body: the uniforms of the table [diffusion]."""
 
 from collections.abc import Callable, Mapping
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,8 @@ from numpy.typing import NDArray
 
 from sss_ref.mesh.curvature import over_triangles, unit_rows, vertex_curvatures
 from sss_ref.mesh.triangles import Mesh
+from sss_ref.methods.gaussian_texture import GAUSSIANS
+from sss_ref.numerics.elementary import exp_array
 from sss_ref.scene.burley_samples import burley_samples
 from sss_ref.scene.projected_kernel import projected_kernel
 from sss_ref.scene.ring_table import ring_table
@@ -39,10 +42,24 @@ def of_preintegrated(diffusion: Diffusion) -> dict[str, Any]:
     return {"diffusion_table": ring_table(diffusion), "sharpest_curvature": diffusion.sharpest_curvature}
 
 
+def of_gaussian_texture(diffusion: Diffusion) -> dict[str, Any]:
+    """The six Gaussians, and how much each is wider than the one before, mm; the taps of a Gaussian."""
+    rows = np.array(diffusion.gaussians, np.float64)
+    wider = np.sqrt(rows[:, 0] - np.concatenate([[0.0], rows[:-1, 0]]))
+    tap = exp_array(np.array([-4.5, -2.0, -0.5, 0.0, -0.5, -2.0, -4.5], np.float32)).astype(np.float64)
+    return {
+        **{f"spread_{letter}_mm": width for letter, width in zip(GAUSSIANS, wider, strict=True)},
+        "spread_weight": tap / reduce(np.add, tap),
+        "profile_variance": rows[:, 0],
+        "profile_weight": rows[:, 1:] / reduce(np.add, rows[:, 1:]),
+    }
+
+
 SPREADING: Mapping[str, Callable[[Diffusion], dict[str, Any]]] = {
     "separable": of_separable,
     "burley": of_burley,
     "preintegrated": of_preintegrated,
+    "gaussian_texture": of_gaussian_texture,
 }
 
 

@@ -111,7 +111,8 @@ def stretch(settings: SceneFile, points: NDArray[np.float64], mesh: Mesh) -> dic
 
     points: world positions of the vertices (V, 3).
     """
-    if settings.method != "texture_space" or settings.blur.unit == "pixel":
+    in_pixels = settings.method == "texture_space" and settings.blur.unit == "pixel"
+    if not settings.in_texture_space or in_pixels:
         return {}
     assert mesh.uvs is not None  # the loader has checked
     size = settings.irradiance_map.width, settings.irradiance_map.height

@@ -37,6 +37,7 @@ from sss_ref.scene_file.shipped import find_mesh, mesh_names
 from sss_ref.scene_file.viewpoints import Camera, LightSettings
 
 PRINTED = ("screen_space", "texture_space")  # the methods that the paper has
+ON_SURFACE = ("texture_space", "gaussian_texture")  # those that need UVs
 MOST_LIGHTS = 64
 LAYERS = counting(0, 1, "at most one layer", "remove the others")
 LIGHTS = counting(1, MOST_LIGHTS, f"1 to {MOST_LIGHTS} lights", "add or remove [[lights]]")
@@ -201,10 +202,13 @@ class Output(Table):
 class SceneFile(Table):
     """A whole scene file with every key filled."""
 
-    method: Literal["screen_space", "texture_space", "separable", "burley", "preintegrated"] = "screen_space"
+    method: Literal["screen_space", "texture_space", "separable", "burley", "preintegrated", "gaussian_texture"] = (
+        "screen_space"
+    )
     """Where the light is diffused: in the image (paper 2.1) or on the surface (paper 2.2); separable: in the image,
     first along x, then along y (Jimenez et al. 2015); burley: in the image, by normalized diffusion (Christensen and
-    Burley 2015); preintegrated: by a table over the angle of the light and curvature (Penner and Borshukov 2011)."""
+    Burley 2015); preintegrated: by a table over the angle of the light and curvature (Penner and Borshukov 2011);
+    gaussian_texture: on the surface, by six Gaussians (d'Eon and Luebke 2007)."""
     preset: Literal["paper", "robust", "published"] = "paper"
     """What fills the keys that are not given; published also has passes of its own."""
     material: MaterialName | None = None
@@ -239,7 +243,7 @@ class SceneFile(Table):
     @property
     def in_texture_space(self) -> bool:
         """Whether light is diffused on a map of the surface."""
-        return self.method == "texture_space"
+        return self.method in ON_SURFACE
 
     @property
     def glows(self) -> bool:
@@ -258,10 +262,20 @@ class SceneFile(Table):
     @field_validator("layers")
     @classmethod
     def _on_the_picture(cls, layers: tuple[LayerSettings, ...], info: ValidationInfo) -> tuple[LayerSettings, ...]:
-        if layers and info.data.get("method") == "texture_space":
+        method = info.data.get("method")
+        if layers and method in ON_SURFACE:
             remedy = 'remove them or set method = "screen_space"'
-            raise unmet('no layers with method = "texture_space"', remedy, str(len(layers)))
+            raise unmet(f'no layers with method = "{method}"', remedy, str(len(layers)))
         return layers
+
+    @field_validator("diffusion")
+    @classmethod
+    def _has_six_gaussians(cls, diffusion: Diffusion, info: ValidationInfo) -> Diffusion:
+        variances = [row[0] for row in diffusion.gaussians]
+        if info.data.get("method") == "gaussian_texture" and (len(variances) != 6 or variances != sorted(variances)):
+            expected = 'a profile of six rows, v rising, with method = "gaussian_texture"'
+            raise unmet(expected, "give such rows or choose another method", f"{variances}")
+        return diffusion
 
     @field_validator("shadow_map")
     @classmethod

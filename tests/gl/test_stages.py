@@ -27,6 +27,7 @@ WITH_POWERS = {  # whose pow and exp are the GPU's own; all else is exact
     "seen_through",
     "gloss_soft",
     "scatter_burley",
+    "irradiance_of_gaussians",
     "phong_preintegrated",
     "phong_ungated",
     "translucency_unclamped",

@@ -64,7 +64,7 @@ def test_the_trace_tells_what_was_rendered(oracle):
                     at = one.place.pixel[::-1]
                     assert np.array(components(value), oracle[name].dtype).tobytes() == oracle[name][at].tobytes()
                     told.add(name)
-    assert {"image", "phong"} <= told
+    assert {"image", "thickness"} <= told
 
 
 def test_the_figures_of_the_paper_have_its_own_methods_alone(technique):

@@ -114,6 +114,12 @@ UNIFORMS: dict[str, Any] = {
     "sample_count": 4,
     "scatter_distance": np.array([0.7, 0.3, 1e-4], np.float32),
     "reach_mm": np.float32(9),
+    "spread_mm": np.float32(0.4),
+    "spread_weight": np.array([0.01, 0.06, 0.24, 0.38, 0.24, 0.06, 0.01], np.float32),
+    "profile_weight": np.array(
+        [[0.2, 0.5, 0.6], [0.1, 0.3, 0.4], [0.1, 0.2, 0], [0.1, 0, 0], [0.4, 0, 0], [0.1, 0, 0]], np.float32
+    ),
+    "profile_variance": np.array([0.0064, 0.05, 0.2, 0.6, 2, 740], np.float32),
     "triangle_curvature": np.array(
         [
             [1, 2, -1, 0.3],
@@ -177,6 +183,8 @@ VARIANTS: dict[str, list[dict[str, Any]]] = {  # stage -> further uniforms to ru
     "scatter_inside_surface": BLUR,
     "phong_preintegrated": [{"light_count": np.float32(3), "shininess": np.float32(0.3)}],
     "directly_lit_round": [{"bias_abs": np.float32(0.01), "bias_slope": np.float32(0)}],
+    "gaussian_rows": [{"spread_mm": np.float32(3)}],
+    "gaussian_columns": [{"spread_mm": np.float32(3)}],
     "scatter_burley": [{"sample_count": 1}],
     "scatter_rows": [LONE_PLACE],
     "scatter_columns": [LONE_PLACE],
@@ -268,6 +276,7 @@ def shadow_map(rng: np.random.Generator) -> dict[str, np.ndarray]:
     return {
         "light_distance": rng.uniform(0.3, 3, shape).astype(np.float32),
         "light_triangle": rng.choice(np.array([-1, 0, 5, 6, 7, 8], np.int32), shape),
+        "light_normal": rng.choice(np.float32([0, -0.6, 0.8, 1]), (*shape, 3)),
         "light_uv": np.where(rng.random((*shape, 1)) < 0.2, -1, rng.random((*shape, 2))).astype(np.float32),
     }
 
@@ -281,6 +290,9 @@ def texture_space(picture: Picture) -> dict[str, np.ndarray]:
         "irradiance": picture.color(),  # black beside the charts or not, as a dump may have it
         "irradiance_mask": mask,
         "scattered_irradiance": rng.random((LAYOUT_HEIGHT, LAYOUT_WIDTH, 3)).astype(np.float32),
+        **{f"spread_{one}": rng.random((LAYOUT_HEIGHT, LAYOUT_WIDTH, 3)).astype(np.float32) for one in "abcdef"},
+        "spread_rows": picture.color(),
+        "texels_per_mm": picture.mixed(rng.exponential(size=(*picture.shape, 2)), [[0, 0], [4096, 1], [0.5, 3]]),
         "uv": picture.mixed(rng.random((*picture.shape, 2)), UVS + OUTSIDE),
         "shadow_uv": picture.mixed(rng.random((*picture.shape, 2)), UVS + OUTSIDE),
         "irradiance_uv": picture.mixed(rng.random((*picture.shape, 2)), UVS + OUTSIDE),

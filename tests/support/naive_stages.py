@@ -787,6 +787,64 @@ def irradiance_added_wrapped(
     return (added(_irradiance_at(scattered_irradiance, uv), through),)
 
 
+def _gaussian(axis, picture, mask, pixel, spread_mm, spread_weight, texels_per_mm):
+    """axis: 0 for rows, 1 for columns."""
+    step = [int(axis == 0), int(axis == 1)]
+    terms = []
+    for tap in range(7):
+        whole, t = split([(F(tap - 3) * spread_mm) * texels_per_mm[axis], F(0)])
+        near = [pixel[0] + whole[0] * step[0], pixel[1] + whole[0] * step[1]]
+        there = []
+        for column, row in (near, [near[0] + step[0], near[1] + step[1]]):
+            share = F(bool(fetch(mask, column, row)[0]))
+            there.append([*scaled(fetch(picture, column, row), share), share])
+        terms.append(scaled(mix(*there, t[0]), spread_weight[tap]))
+    *total, whole = _sum(terms)
+    return (fetch(picture, *pixel) if whole == 0 else [part / whole for part in total],)
+
+
+def gaussian_rows(irradiance, irradiance_mask, pixel, spread_mm, spread_weight, texels_per_mm):
+    return _gaussian(0, irradiance, irradiance_mask, pixel, spread_mm, spread_weight, texels_per_mm)
+
+
+def gaussian_columns(spread_rows, irradiance_mask, pixel, spread_mm, spread_weight, texels_per_mm):
+    return _gaussian(1, spread_rows, irradiance_mask, pixel, spread_mm, spread_weight, texels_per_mm)
+
+
+def normal_at_light(fragment_normal):
+    return (normalize(fragment_normal),)
+
+
+def irradiance_of_gaussians(
+    uv,
+    irradiance_uv,
+    shadow_uv,
+    shadow_valid,
+    light_normal,
+    thickness,
+    position_world,
+    normal_world,
+    light_position,
+    mm_per_unit,
+    profile_weight,
+    profile_variance,
+    **maps,
+):
+    away = -dot(normal_world, normalize(minus(light_position, position_world)))
+    apart = thickness * mm_per_unit
+    opposite = minimum(maximum(-dot(nearest(light_normal, shadow_uv), normal_world), F(0)), F(1))
+    depth = mix([apart], [apart * maximum(away, F(0))], opposite)[0]
+    terms = []
+    for letter, weight, v in zip("abcdef", profile_weight, profile_variance, strict=True):
+        near = minimum(apart / (F(6) * np.sqrt(v)), F(1))
+        comes = correctly_rounded(gmpy2.exp, -(depth * depth) / (F(2) * v)) * near
+        comes = F(bool(shadow_valid) and away > 0) * comes
+        own, entered = (_irradiance_at(maps[f"spread_{letter}"], at) for at in (uv, irradiance_uv))
+        terms.append(times(added(own, scaled(entered, comes)), list(weight)))
+    a, b, c, d, e, f = terms
+    return (added(added(added(a, b), c), added(added(d, e), f)),)
+
+
 def image_sqrt(irradiance_used, phong):
     return ([np.sqrt(maximum(v, F(0))) for v in times(irradiance_used, phong)],)
 
