@@ -8,13 +8,15 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
-from PIL import Image
+from PIL import Image, ImageDraw
 
 import sss_ref
 from sss_ref.cli import main
+from sss_ref.pictures.lettering import BRIGHT, font
 from sss_ref.pictures.overview import write_overview
 from sss_ref.pictures.png_file import encoding_of, write_png
 from sss_ref.rendering.samples import render_samples
+from sss_ref.scene.catalogue import METHODS, TECHNIQUES
 from sss_ref.scene_file.kernels import TABLE1
 
 ROOT = Path(__file__).parents[2]
@@ -25,7 +27,7 @@ GALLERY = ("figure3_with", "teeth_layers_backlit", "wax", "glass", "figure5")
 sys.path[:0] = [str(ROOT / "notebooks"), str(ROOT / "tests" / "support")]
 
 
-def scene(name: str, **overrides: float) -> sss_ref.Scene:
+def scene(name: str, **overrides: float | str) -> sss_ref.Scene:
     """A shipped scene, 512 x 512."""
     return sss_ref.load_scene(name, **{"camera.width": SIDE, "camera.height": SIDE}, **overrides)
 
@@ -74,6 +76,22 @@ def gallery(path: Path) -> None:
     strip.save(path, optimize=True)
 
 
+def techniques(path: Path) -> None:
+    """Every method on the same head, and below it a part of that at four times the size: where a shadow ends."""
+    left, top, side = 165, 300, 128  # of the part, pixels from the upper left
+    methods = (*METHODS, *TECHNIQUES)
+    sheet = Image.new("RGB", (len(methods) * SIDE // 2, SIDE + 24), (22, 25, 31))
+    for place, method in enumerate(methods):
+        shown = scene("figure3_with", method=method)
+        picture = Image.fromarray(encoding_of(shown.settings)(sss_ref.render(shown, keep="final").image)[::-1])
+        part = picture.crop((left, top, left + side, top + side))
+        column = place * SIDE // 2
+        ImageDraw.Draw(sheet).text((column + 10, 4), method, BRIGHT, font(14))
+        sheet.paste(picture.reduce(2), (column, 24))
+        sheet.paste(part.resize((SIDE // 2, SIDE // 2), Image.Resampling.NEAREST), (column, 24 + SIDE // 2))
+    sheet.save(path, optimize=True)
+
+
 def kernel(path: Path) -> None:
     """The paper's Table 1 as notebook 4 draws it."""
     import figures
@@ -110,6 +128,7 @@ PICTURES = {
     "overview.jpg": overview,
     "validation.png": validation,
     "gallery.png": gallery,
+    "techniques.png": techniques,
     "kernel.png": kernel,
     "relighting.png": relighting,
     "viewer.jpg": viewer,

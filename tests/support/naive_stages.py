@@ -628,20 +628,18 @@ def scatter_inside_surface(lit, coverage, position_world, pixel, tap_offset, tap
 def _scatter_along(axis, lit, coverage, position_world, pixel, places, weights, count, pixels_per_offset, ahead):
     """axis: 0 for rows, 1 for columns."""
     here, centre = position_world[pixel[1], pixel[0]], list(lit[pixel[1], pixel[0]])
-    step = [int(axis == 0), int(axis == 1)]
-    total = None
+    near = np.zeros(coverage.shape, np.float32)
+    for row, column in np.argwhere(coverage):
+        near[row, column] = maximum(F(1) - abs(dot(minus(position_world[row, column], here), ahead)), F(0))
+    seen, terms = lit * near[..., None], []
     for place, weight in zip(places[:count], weights[:count], strict=True):
-        whole, t = split([place * pixels_per_offset, F(0)])
-        near = [pixel[0] + whole[0] * step[0], pixel[1] + whole[0] * step[1]]
-        shares, colors = [], []
-        for column, row in (near, [near[0] + step[0], near[1] + step[1]]):
-            away = abs(dot(minus(fetch(position_world, column, row), here), ahead))
-            shares.append(maximum(F(1) - away, F(0)) if fetch(coverage, column, row)[0] else F(0))
-            colors.append(scaled(fetch(lit, column, row), shares[-1]))
-        share = mix(shares[:1], shares[1:], t[0])[0]
-        sample = times(added(mix(*colors, t[0]), scaled(centre, F(1) - share)), list(weight))
-        total = sample if total is None else added(total, sample)
-    return (total,)
+        offset = [F(0), F(0)]
+        offset[axis] = place * pixels_per_offset
+        shift, t = split(offset)
+        corner = [pixel[0] + shift[0], pixel[1] + shift[1]]
+        away = F(1) - bilinear(near, corner, t)[0]
+        terms.append(times(added(bilinear(seen, corner, t), scaled(centre, away)), list(weight)))
+    return (_sum(terms),)
 
 
 def scatter_rows(
@@ -789,16 +787,13 @@ def irradiance_added_wrapped(
 
 def _gaussian(axis, picture, mask, pixel, spread_mm, spread_weight, texels_per_mm):
     """axis: 0 for rows, 1 for columns."""
-    step = [int(axis == 0), int(axis == 1)]
-    terms = []
+    inside = mask.astype(np.float32)
+    seen, terms = np.concatenate([picture * inside[..., None], inside[..., None]], axis=2), []
     for tap in range(7):
-        whole, t = split([(F(tap - 3) * spread_mm) * texels_per_mm[axis], F(0)])
-        near = [pixel[0] + whole[0] * step[0], pixel[1] + whole[0] * step[1]]
-        there = []
-        for column, row in (near, [near[0] + step[0], near[1] + step[1]]):
-            share = F(bool(fetch(mask, column, row)[0]))
-            there.append([*scaled(fetch(picture, column, row), share), share])
-        terms.append(scaled(mix(*there, t[0]), spread_weight[tap]))
+        offset = [F(0), F(0)]
+        offset[axis] = (F(tap - 3) * spread_mm) * texels_per_mm[axis]
+        shift, t = split(offset)
+        terms.append(scaled(bilinear(seen, [pixel[0] + shift[0], pixel[1] + shift[1]], t), spread_weight[tap]))
     *total, whole = _sum(terms)
     return (fetch(picture, *pixel) if whole == 0 else [part / whole for part in total],)
 
