@@ -60,10 +60,9 @@ def spread(settings: SceneFile, light: int) -> Iterator[Pass]:
     shared = {"irradiance_mask": "irradiance_filled_mask", "texels_per_mm": "texels_per_offset_filled"}
     for letter in GAUSSIANS:
         name = f"spread_{letter}"
-        own = shared | {"spread_mm": f"{name}_mm", "spread_rows": f"{name}_rows"}
-        rows = gaussian_blur.gaussian_rows.bound(irradiance=before, **own)
-        columns = gaussian_blur.gaussian_columns.bound(spread=name, **own)
-        for axis, stage in (("rows", rows), ("columns", columns)):
+        along = gaussian_blur.gaussian_along.bound(spread_mm=f"{name}_mm", **shared)
+        for axis, given, gives in (("rows", before, f"{name}_rows"), ("columns", f"{name}_rows", name)):
+            stage = along.bound(irradiance=given, spread=gives, spread_offset=f"gaussian_{axis}")
             one = Pass(str(Name(f"blur_{letter}_{axis}", light)), "irradiance_map", there, (stage,))
             yield one.renamed(of_light(light))
         before = name

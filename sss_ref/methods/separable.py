@@ -17,13 +17,14 @@ REACH_THERE = (  # how many pixels the kernel's reach is at a fragment
 def separable(settings: SceneFile) -> Method:
     """Shadow map, camera, blur along x, blur along y, composite."""
     before, picture = up_to_the_camera(settings, REACH_THERE)
-    model = ScreenDraw("coverage")
+    model, along = ScreenDraw("coverage"), separable_blur.scatter_along
+    rows, columns = (along.bound(kernel_offset=axis) for axis in ("kernel_rows", "kernel_columns"))
     return Method(
         "separable",
         passes=(
             *before,
-            Pass("blur_rows", "camera", model, (separable_blur.scatter_rows.bound(lit=picture),)),
-            Pass("blur_columns", "camera", model, (separable_blur.scatter_columns,)),
+            Pass("blur_rows", "camera", model, (rows.bound(lit=picture, scattered="scattered_rows"),)),
+            Pass("blur_columns", "camera", model, (columns.bound(lit="scattered_rows"),)),
             Pass("composite", "camera", ScreenDraw(), (composite.over_background,)),
         ),
         constants=neutral(settings),

@@ -13,7 +13,6 @@ from sss_ref.language import (
     constant,
     dot,
     exp,
-    float32,
     fractional_part,
     function,
     ivec2,
@@ -38,18 +37,11 @@ from sss_ref.passes.blur_on_surface import lit_with_share
 from sss_ref.passes.texture_image import IrradianceUsed
 
 TAPS = 7  # one standard deviation apart
-CENTRE = 3  # the number of the middle one
 FAR_APART = constant(6.0)  # standard deviations: nearer than that the far side's light is partly the fragment's own
 
 
-class SpreadRows(NamedTuple):
-    """Irradiance after one Gaussian along the rows of the layout."""
-
-    spread_rows: vec3  # linear RGB
-
-
 class Spread(NamedTuple):
-    """Irradiance after one Gaussian along both axes of the layout."""
+    """Irradiance after one Gaussian along an axis of the layout."""
 
     spread: vec3  # linear RGB
 
@@ -76,40 +68,22 @@ def of_whole(total: vec4, unblurred: vec3) -> vec3:
     return select(total.w == 0.0, unblurred, total.xyz / total.w)
 
 
-@stage(source="d'Eon and Luebke 2007, along u")
-def gaussian_rows(
+@stage(source="d'Eon and Luebke 2007: one of the two axes")
+def gaussian_along(
     irradiance: Texture[vec3],
     irradiance_mask: Texture[bool],
     pixel: ivec2,
     spread_mm: float,
-    spread_weight: Array[float],
-    texels_per_mm: vec2,
-) -> SpreadRows:
-    """The mean of seven taps on the charts, 3 standard deviations to the left to 3 to the right."""
-    total = vec4(EMPTY_SUM, EMPTY_SUM, EMPTY_SUM, EMPTY_SUM)
-    for tap in range(0, TAPS):
-        offset = vec2((float32(tap - CENTRE) * spread_mm) * texels_per_mm.x, 0.0)
-        sample = tap_on_layout(irradiance, irradiance_mask, pixel, offset)
-        total = total + sample * spread_weight[tap]
-    return SpreadRows(of_whole(total, texel(irradiance, pixel)))
-
-
-@stage(source="d'Eon and Luebke 2007, along v")
-def gaussian_columns(
-    spread_rows: Texture[vec3],
-    irradiance_mask: Texture[bool],
-    pixel: ivec2,
-    spread_mm: float,
+    spread_offset: Array[vec2],
     spread_weight: Array[float],
     texels_per_mm: vec2,
 ) -> Spread:
-    """The same of what that gave, from below."""
+    """The mean of seven taps on the charts, from 3 standard deviations before to 3 behind."""
     total = vec4(EMPTY_SUM, EMPTY_SUM, EMPTY_SUM, EMPTY_SUM)
     for tap in range(0, TAPS):
-        offset = vec2(0.0, (float32(tap - CENTRE) * spread_mm) * texels_per_mm.y)
-        sample = tap_on_layout(spread_rows, irradiance_mask, pixel, offset)
-        total = total + sample * spread_weight[tap]
-    return Spread(of_whole(total, texel(spread_rows, pixel)))
+        offset = (spread_offset[tap] * spread_mm) * texels_per_mm
+        total = total + tap_on_layout(irradiance, irradiance_mask, pixel, offset) * spread_weight[tap]
+    return Spread(of_whole(total, texel(irradiance, pixel)))
 
 
 class LightNormal(NamedTuple):

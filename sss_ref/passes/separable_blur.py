@@ -1,10 +1,8 @@
 """The separable blur: two sums of one axis each in the place of one over the plane (Jimenez et al. 2015).
 
-A tap of the kernel is a place along the axis, as a share of the kernel's reach, with one weight per colour channel. The
-farther something lies before or behind the surface, the less it counts, and the more the pixel itself does.
+A tap of the kernel is an offset along the axis, as a share of the kernel's reach, with one weight per colour channel.
+The farther something lies before or behind the surface, the less it counts, and the more the pixel itself does.
 """
-
-from typing import NamedTuple
 
 from sss_ref.language import (
     Array,
@@ -62,49 +60,21 @@ def tap_nearby(
     return sample.xyz + texel(lit, pixel) * (1.0 - sample.w)
 
 
-class ScatteredRows(NamedTuple):
-    """The lit model after scattering along the rows of the picture."""
-
-    scattered_rows: vec3  # linear RGB
-
-
-@stage(source="Jimenez et al. 2015, along x")
-def scatter_rows(
+@stage(source="Jimenez et al. 2015: one of the two axes")
+def scatter_along(
     lit: Texture[vec3],
     coverage: Texture[bool],
     position_world: Texture[vec3],
     pixel: ivec2,
-    kernel_place: Array[float],
-    kernel_weight: Array[vec3],
-    kernel_count: int,
-    pixels_per_offset: float,
-    ahead: vec3,
-) -> ScatteredRows:
-    """The weighted sum of all taps along the row, from left to right."""
-    total = vec3(EMPTY_SUM, EMPTY_SUM, EMPTY_SUM)
-    for tap in range(0, kernel_count):
-        offset = vec2(kernel_place[tap] * pixels_per_offset, 0.0)
-        sample = tap_nearby(lit, coverage, position_world, pixel, offset, ahead)
-        total = total + sample * kernel_weight[tap]
-    return ScatteredRows(total)
-
-
-@stage(source="Jimenez et al. 2015, along y")
-def scatter_columns(
-    scattered_rows: Texture[vec3],
-    coverage: Texture[bool],
-    position_world: Texture[vec3],
-    pixel: ivec2,
-    kernel_place: Array[float],
+    kernel_offset: Array[vec2],
     kernel_weight: Array[vec3],
     kernel_count: int,
     pixels_per_offset: float,
     ahead: vec3,
 ) -> Scattered:
-    """The same of what that gave, along the column, upwards."""
+    """The weighted sum of all taps, from one end of the kernel to the other."""
     total = vec3(EMPTY_SUM, EMPTY_SUM, EMPTY_SUM)
     for tap in range(0, kernel_count):
-        offset = vec2(0.0, kernel_place[tap] * pixels_per_offset)
-        sample = tap_nearby(scattered_rows, coverage, position_world, pixel, offset, ahead)
-        total = total + sample * kernel_weight[tap]
+        offset = kernel_offset[tap] * pixels_per_offset
+        total = total + tap_nearby(lit, coverage, position_world, pixel, offset, ahead) * kernel_weight[tap]
     return Scattered(total)

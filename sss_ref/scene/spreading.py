@@ -22,7 +22,16 @@ from sss_ref.view.matrices import Matrix, normal_matrix, transformed
 def of_separable(diffusion: Diffusion) -> dict[str, Any]:
     """The taps along a line, and how long that is."""
     place, weight = projected_kernel(diffusion)
-    return {"kernel_place": place, "kernel_weight": weight, "reach_mm": diffusion.reach_mm}
+    return {**on_axes("kernel", place), "kernel_weight": weight, "reach_mm": diffusion.reach_mm}
+
+
+def on_axes(name: str, places: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
+    """Places along a line (N,) as offsets (N, 2) along the rows and along the columns."""
+    beside = np.zeros_like(places)
+    return {
+        f"{name}_rows": np.stack([places, beside], axis=1),
+        f"{name}_columns": np.stack([beside, places], axis=1),
+    }
 
 
 def of_burley(diffusion: Diffusion) -> dict[str, Any]:
@@ -46,9 +55,11 @@ def of_gaussian_texture(diffusion: Diffusion) -> dict[str, Any]:
     """The six Gaussians, and how much each is wider than the one before, mm; the taps of a Gaussian."""
     rows = np.array(diffusion.gaussians, np.float64)
     wider = np.sqrt(rows[:, 0] - np.concatenate([[0.0], rows[:-1, 0]]))
+    places = np.arange(-3.0, 4.0)
     tap = exp_array(np.array([-4.5, -2.0, -0.5, 0.0, -0.5, -2.0, -4.5], np.float32)).astype(np.float64)
     return {
         **{f"spread_{letter}_mm": width for letter, width in zip(GAUSSIANS, wider, strict=True)},
+        **on_axes("gaussian", places),
         "spread_weight": tap / reduce(np.add, tap),
         "profile_variance": rows[:, 0],
         "profile_weight": rows[:, 1:] / reduce(np.add, rows[:, 1:]),

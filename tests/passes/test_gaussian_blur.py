@@ -3,44 +3,39 @@
 import numpy as np
 from one_stage import call
 
-from sss_ref.passes.gaussian_blur import gaussian_columns, gaussian_rows, irradiance_of_gaussians, normal_at_light
+from sss_ref.passes.gaussian_blur import gaussian_along, irradiance_of_gaussians, normal_at_light
 
 MAP = np.repeat(np.float32([[8, 2, 4, 0]])[..., None], 3, axis=2)
 CHARTS = np.uint8([[1, 1, 1, 0]])
 WEIGHTS = np.float32([0, 0, 0.25, 0.5, 0.25, 0, 0])  # of all seven taps only the middle ones
-ALONG = {"irradiance_mask": CHARTS, "spread_weight": WEIGHTS, "spread_mm": 2, "pixel": (1, 0)}
+PLACES = np.float32([[k, 0] for k in range(-3, 4)])
+ROW = {
+    "irradiance": MAP,
+    "irradiance_mask": CHARTS,
+    "spread_offset": PLACES,
+    "spread_weight": WEIGHTS,
+    "spread_mm": 2,
+    "pixel": (1, 0),
+}
 
 
-def upright(inputs):
-    """The same turned by a right angle."""
-    turned = {"irradiance", "spread_rows", "irradiance_mask"}
-    return {name: np.swapaxes(value, 0, 1) if name in turned else value for name, value in inputs.items()}
-
-
-def test_gaussian_rows():
+def test_gaussian_along():
     # Taps a texel apart: a quarter of 8, half of 2, a quarter of 4.
-    assert call(gaussian_rows, irradiance=MAP, texels_per_mm=(0.5, 9), **ALONG) == ((4, 4, 4),)
+    assert call(gaussian_along, texels_per_mm=(0.5, 9), **ROW) == ((4, 4, 4),)
     # Half a texel apart: (8 + 2)/2 and (2 + 4)/2 beside 2.
-    assert call(gaussian_rows, irradiance=MAP, texels_per_mm=(0.25, 9), **ALONG) == ((3, 3, 3),)
+    assert call(gaussian_along, texels_per_mm=(0.25, 9), **ROW) == ((3, 3, 3),)
     # Beside the chart nothing counts: (.25*2 + .5*4)/.75; where nothing is on a chart, what is there stays.
-    end = {**ALONG, "pixel": (2, 0)}
-    assert call(gaussian_rows, irradiance=MAP, texels_per_mm=(0.5, 9), **end)[0][0] == np.float32(2.5) / np.float32(
-        0.75
-    )
-    bare = {**ALONG, "irradiance_mask": np.zeros_like(CHARTS)}
-    assert call(gaussian_rows, irradiance=MAP, texels_per_mm=(0.5, 9), **bare) == ((2, 2, 2),)
+    end = {**ROW, "pixel": (2, 0)}
+    assert call(gaussian_along, texels_per_mm=(0.5, 9), **end)[0][0] == np.float32(2.5) / np.float32(0.75)
+    bare = {**ROW, "irradiance_mask": np.zeros_like(CHARTS)}
+    assert call(gaussian_along, texels_per_mm=(0.5, 9), **bare) == ((2, 2, 2),)
 
 
-def test_gaussian_columns():
-    column = upright({**ALONG, "spread_rows": MAP}) | {"pixel": (0, 1)}
-    assert call(gaussian_columns, texels_per_mm=(9, 0.5), **column) == ((4, 4, 4),)
-    assert call(gaussian_columns, texels_per_mm=(9, 0.25), **column) == ((3, 3, 3),)
-
-
-def test_each_stage_keeps_to_its_axis():
-    row = upright({**ALONG, "irradiance": MAP}) | {"pixel": (0, 1)}
-    assert call(gaussian_rows, texels_per_mm=(0.5, 0.5), **row) == ((2, 2, 2),)
-    assert call(gaussian_columns, spread_rows=MAP, texels_per_mm=(0.5, 0.5), **ALONG) == ((2, 2, 2),)
+def test_the_other_axis():
+    upright = {name: np.swapaxes(ROW[name], 0, 1) for name in ("irradiance", "irradiance_mask")}
+    column = {**ROW, **upright, "pixel": (0, 1), "spread_offset": PLACES[:, ::-1]}
+    assert call(gaussian_along, texels_per_mm=(9, 0.5), **column) == ((4, 4, 4),)
+    assert call(gaussian_along, texels_per_mm=(0.5, 0.5), **{**column, "spread_offset": PLACES}) == ((2, 2, 2),)
 
 
 def test_normal_at_light():

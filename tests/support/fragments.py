@@ -103,7 +103,7 @@ UNIFORMS: dict[str, Any] = {
     "gaussian_count": 3,
     "translucency_scale": np.float32(0.2),
     "wrap": np.float32(0.3),
-    "kernel_place": np.array([-1, -0.25, 0, 0.25, 1], np.float32),
+    "kernel_offset": np.array([[-1, 0], [-0.25, 0], [0, 0], [0.25, 0], [0, 1]], np.float32),
     "kernel_weight": np.array(
         [[0.1, 0, 0.01], [0.2, 0.1, -0.1], [0.4, 0.8, 1], [0.2, 0.1, 0], [0, 0.1, 0]], np.float32
     ),
@@ -115,6 +115,7 @@ UNIFORMS: dict[str, Any] = {
     "scatter_distance": np.array([0.7, 0.3, 1e-4], np.float32),
     "reach_mm": np.float32(9),
     "spread_mm": np.float32(0.4),
+    "spread_offset": np.array([[0, k] for k in range(-3, 4)], np.float32),
     "spread_weight": np.array([0.01, 0.06, 0.24, 0.38, 0.24, 0.06, 0.01], np.float32),
     "profile_weight": np.array(
         [[0.2, 0.5, 0.6], [0.1, 0.3, 0.4], [0.1, 0.2, 0], [0.1, 0, 0], [0.4, 0, 0], [0.1, 0, 0]], np.float32
@@ -147,8 +148,8 @@ BLUR = [
     FAR,
     {"pixel_scale": np.float32(0.37)},
 ]
-LONE_PLACE = {
-    "kernel_place": np.array([-30], np.float32),
+LONE_OFFSET = {
+    "kernel_offset": np.array([[0, -30]], np.float32),
     "kernel_weight": np.ones((1, 3), np.float32),
     "kernel_count": 1,
 }
@@ -183,11 +184,9 @@ VARIANTS: dict[str, list[dict[str, Any]]] = {  # stage -> further uniforms to ru
     "scatter_inside_surface": BLUR,
     "phong_preintegrated": [{"light_count": np.float32(3), "shininess": np.float32(0.3)}],
     "directly_lit_round": [{"bias_abs": np.float32(0.01), "bias_slope": np.float32(0)}],
-    "gaussian_rows": [{"spread_mm": np.float32(3)}],
-    "gaussian_columns": [{"spread_mm": np.float32(3)}],
+    "gaussian_along": [{"spread_mm": np.float32(3)}],
     "scatter_burley": [{"sample_count": 1}],
-    "scatter_rows": [LONE_PLACE],
-    "scatter_columns": [LONE_PLACE],
+    "scatter_along": [LONE_OFFSET],
 }
 
 
@@ -263,7 +262,6 @@ def shading(picture: Picture) -> dict[str, np.ndarray]:
         "translucency": picture.mixed(picture.rng.exponential(size=picture.shape), [0.0, 1.0, 65504.0]),
         "coverage": coverage,
         "lit": picture.color() * coverage[..., None].astype(np.float32),
-        "scattered_rows": picture.color(),
         "scattered": picture.color(),
         "color": picture.mixed(picture.rng.uniform(-0.5, 1.5, (*picture.shape, 3)), HALVES),
         "value": picture.mixed(picture.rng.uniform(-0.5, 1.5, picture.shape), HALVES[0]),
@@ -291,7 +289,6 @@ def texture_space(picture: Picture) -> dict[str, np.ndarray]:
         "irradiance_mask": mask,
         "scattered_irradiance": rng.random((LAYOUT_HEIGHT, LAYOUT_WIDTH, 3)).astype(np.float32),
         **{f"spread_{one}": rng.random((LAYOUT_HEIGHT, LAYOUT_WIDTH, 3)).astype(np.float32) for one in "abcdef"},
-        "spread_rows": picture.color(),
         "texels_per_mm": picture.mixed(rng.exponential(size=(*picture.shape, 2)), [[0, 0], [4096, 1], [0.5, 3]]),
         "uv": picture.mixed(rng.random((*picture.shape, 2)), UVS + OUTSIDE),
         "shadow_uv": picture.mixed(rng.random((*picture.shape, 2)), UVS + OUTSIDE),

@@ -625,35 +625,18 @@ def scatter_inside_surface(lit, coverage, position_world, pixel, tap_offset, tap
     return scatter_inside(lit, there, pixel, tap_offset, tap_weight, tap_count, pixel_scale)
 
 
-def _scatter_along(axis, lit, coverage, position_world, pixel, places, weights, count, pixels_per_offset, ahead):
-    """axis: 0 for rows, 1 for columns."""
+def scatter_along(
+    lit, coverage, position_world, pixel, kernel_offset, kernel_weight, kernel_count, pixels_per_offset, ahead
+):
     here, centre = position_world[pixel[1], pixel[0]], list(lit[pixel[1], pixel[0]])
     near = np.zeros(coverage.shape, np.float32)
     for row, column in np.argwhere(coverage):
         near[row, column] = maximum(F(1) - abs(dot(minus(position_world[row, column], here), ahead)), F(0))
     seen, terms = lit * near[..., None], []
-    for place, weight in zip(places[:count], weights[:count], strict=True):
-        offset = [F(0), F(0)]
-        offset[axis] = place * pixels_per_offset
-        shift, t = split(offset)
-        corner = [pixel[0] + shift[0], pixel[1] + shift[1]]
+    for corner, t, weight in _taps(pixel, kernel_offset, kernel_weight, kernel_count, pixels_per_offset):
         away = F(1) - bilinear(near, corner, t)[0]
-        terms.append(times(added(bilinear(seen, corner, t), scaled(centre, away)), list(weight)))
+        terms.append(times(added(bilinear(seen, corner, t), scaled(centre, away)), weight))
     return (_sum(terms),)
-
-
-def scatter_rows(
-    lit, coverage, position_world, pixel, kernel_place, kernel_weight, kernel_count, pixels_per_offset, ahead
-):
-    kernel = kernel_place, kernel_weight, kernel_count
-    return _scatter_along(0, lit, coverage, position_world, pixel, *kernel, pixels_per_offset, ahead)
-
-
-def scatter_columns(
-    scattered_rows, coverage, position_world, pixel, kernel_place, kernel_weight, kernel_count, pixels_per_offset, ahead
-):
-    kernel = kernel_place, kernel_weight, kernel_count
-    return _scatter_along(1, scattered_rows, coverage, position_world, pixel, *kernel, pixels_per_offset, ahead)
 
 
 def _normalized_diffusion(distance, d):
@@ -785,25 +768,14 @@ def irradiance_added_wrapped(
     return (added(_irradiance_at(scattered_irradiance, uv), through),)
 
 
-def _gaussian(axis, picture, mask, pixel, spread_mm, spread_weight, texels_per_mm):
-    """axis: 0 for rows, 1 for columns."""
-    inside = mask.astype(np.float32)
-    seen, terms = np.concatenate([picture * inside[..., None], inside[..., None]], axis=2), []
-    for tap in range(7):
-        offset = [F(0), F(0)]
-        offset[axis] = (F(tap - 3) * spread_mm) * texels_per_mm[axis]
-        shift, t = split(offset)
-        terms.append(scaled(bilinear(seen, [pixel[0] + shift[0], pixel[1] + shift[1]], t), spread_weight[tap]))
+def gaussian_along(irradiance, irradiance_mask, pixel, spread_mm, spread_offset, spread_weight, texels_per_mm):
+    inside = irradiance_mask.astype(np.float32)
+    seen, terms = np.concatenate([irradiance * inside[..., None], inside[..., None]], axis=2), []
+    for place, weight in zip(spread_offset, spread_weight, strict=True):
+        shift, t = split(times(scaled(place, spread_mm), texels_per_mm))
+        terms.append(scaled(bilinear(seen, [pixel[0] + shift[0], pixel[1] + shift[1]], t), weight))
     *total, whole = _sum(terms)
-    return (fetch(picture, *pixel) if whole == 0 else [part / whole for part in total],)
-
-
-def gaussian_rows(irradiance, irradiance_mask, pixel, spread_mm, spread_weight, texels_per_mm):
-    return _gaussian(0, irradiance, irradiance_mask, pixel, spread_mm, spread_weight, texels_per_mm)
-
-
-def gaussian_columns(spread_rows, irradiance_mask, pixel, spread_mm, spread_weight, texels_per_mm):
-    return _gaussian(1, spread_rows, irradiance_mask, pixel, spread_mm, spread_weight, texels_per_mm)
+    return (fetch(irradiance, *pixel) if whole == 0 else [part / whole for part in total],)
 
 
 def normal_at_light(fragment_normal):

@@ -13,8 +13,8 @@ SCENES = {  # technique -> what its scene has of its own
     "preintegrated": {"diffusion.sharpest_curvature": 0.1},
 }
 MISTAKES = {  # technique -> keys of a scene that computes something else, and the stage where it first does
-    "separable": ({"diffusion.profile": "milk"}, "scatter_rows"),
-    "gaussian_texture": ({"diffusion.profile": [*SKIN[:-1], (5.0, *SKIN[-1][1:])]}, "gaussian_rows"),
+    "separable": ({"diffusion.profile": "milk"}, "scatter_along"),
+    "gaussian_texture": ({"diffusion.profile": [*SKIN[:-1], (5.0, *SKIN[-1][1:])]}, "gaussian_along"),
     "preintegrated": ({"diffusion.profile": "milk"}, "phong_preintegrated"),
     "burley": ({"diffusion.mean_free_path_mm": [0.907, 0.3, 0.517]}, "scatter_burley"),
 }
