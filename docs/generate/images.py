@@ -77,18 +77,18 @@ def gallery(path: Path) -> None:
 
 
 def techniques(path: Path) -> None:
-    """Every method on the same head, and below it a part of that at four times the size: where a shadow ends."""
-    left, top, side = 165, 300, 128  # of the part, pixels from the upper left
-    methods = (*METHODS, *TECHNIQUES)
-    sheet = Image.new("RGB", (len(methods) * SIDE // 2, SIDE + 24), (22, 25, 31))
+    """Every method on the same head with hard shadows, and below it a part at four times the size: where one ends."""
+    part, label, columns = (165, 300, 293, 428), 24, 3  # the part from its upper left to its lower right, in pixels
+    methods, half = (*METHODS, *TECHNIQUES), SIDE // 2
+    sheet = Image.new("RGB", (columns * half, len(methods) // columns * (label + SIDE)), (22, 25, 31))
     for place, method in enumerate(methods):
-        shown = scene("figure3_with", method=method)
+        shown = scene("figure3_with", method=method, **{"shadow_map.test": "slope"})
         picture = Image.fromarray(encoding_of(shown.settings)(sss_ref.render(shown, keep="final").image)[::-1])
-        part = picture.crop((left, top, left + side, top + side))
-        column = place * SIDE // 2
-        ImageDraw.Draw(sheet).text((column + 10, 4), method, BRIGHT, font(14))
-        sheet.paste(picture.reduce(2), (column, 24))
-        sheet.paste(part.resize((SIDE // 2, SIDE // 2), Image.Resampling.NEAREST), (column, 24 + SIDE // 2))
+        left, top = place % columns * half, place // columns * (label + SIDE)
+        ImageDraw.Draw(sheet).text((left + 10, top + 4), method, BRIGHT, font(14))
+        sheet.paste(picture.reduce(2), (left, top + label))
+        enlarged = picture.crop(part).resize((half, half), Image.Resampling.NEAREST)
+        sheet.paste(enlarged, (left, top + label + half))
     sheet.save(path, optimize=True)
 
 
