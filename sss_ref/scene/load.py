@@ -17,9 +17,10 @@ from sss_ref.scene.albedo import albedo_of
 from sss_ref.scene.placed_mesh import PlacedMesh
 from sss_ref.scene.scene import Scene
 from sss_ref.scene.surface_maps import normal_map_of, specular_map_of
+from sss_ref.scene_file.method_limits import ON_SURFACE
 from sss_ref.scene_file.quantities import FLOAT32_OVERFLOW
 from sss_ref.scene_file.reading import Document, opened, validated
-from sss_ref.scene_file.settings import ON_SURFACE, MeshSettings, SceneFile, ShadowMap
+from sss_ref.scene_file.settings import MeshSettings, SceneFile, ShadowMap
 from sss_ref.scene_file.shipped import find_mesh
 from sss_ref.scene_file.viewpoints import Camera, PointLight
 from sss_ref.view.light_fit import AnyLight, fitted, placed

@@ -7,7 +7,8 @@ import numpy as np
 from sss_ref.scene.idle_keys import idle_keys
 from sss_ref.scene.placed_mesh import PlacedMesh
 from sss_ref.scene.unseen import unseen, written
-from sss_ref.scene_file.settings import PRINTED, SceneFile
+from sss_ref.scene_file.method_limits import PRINTED
+from sss_ref.scene_file.settings import SceneFile
 from sss_ref.view.light_fit import Bounds
 from sss_ref.view.matrices import length
 from sss_ref.view.views import Light, View

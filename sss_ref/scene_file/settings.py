@@ -5,7 +5,7 @@ default is filled by the preset, or else the file must give it. All models are s
 """
 
 import os
-from typing import Annotated, Literal
+from typing import Annotated, Literal, TypeVar
 
 import numpy as np
 from pydantic import AfterValidator, Discriminator, Field, Tag, ValidationInfo, field_validator
@@ -14,6 +14,7 @@ from sss_ref.errors.wording import gibibytes, unmet, unmet_at
 from sss_ref.numerics.elementary import exp2_array
 from sss_ref.scene_file.color_texture import texture_size
 from sss_ref.scene_file.diffusion import Diffusion
+from sss_ref.scene_file.method_limits import LIMITS, ON_SURFACE
 from sss_ref.scene_file.profiles import MaterialName
 from sss_ref.scene_file.quantities import (
     MEMORY_LIMIT,
@@ -36,8 +37,7 @@ from sss_ref.scene_file.scattering import Blur, TranslucencySettings
 from sss_ref.scene_file.shipped import find_mesh, mesh_names
 from sss_ref.scene_file.viewpoints import Camera, LightSettings
 
-PRINTED = ("screen_space", "texture_space")  # the methods that the paper has
-ON_SURFACE = ("texture_space", "gaussian_texture")  # those that need UVs
+T = TypeVar("T")
 MOST_LIGHTS = 64
 LAYERS = counting(0, 1, "at most one layer", "remove the others")
 LIGHTS = counting(1, MOST_LIGHTS, f"1 to {MOST_LIGHTS} lights", "add or remove [[lights]]")
@@ -250,40 +250,12 @@ class SceneFile(Table):
         """Whether the picture reaches beyond the model, over the background."""
         return self.method == "screen_space" and self.blur.mask == "none"
 
-    @field_validator("preset")
+    @field_validator(*LIMITS)
     @classmethod
-    def _has_figures(cls, preset: str, info: ValidationInfo) -> str:
-        method = info.data.get("method", PRINTED[0])
-        if preset == "published" and method not in PRINTED:
-            remedy = f"choose another, or a method that the paper has figures of ({' or '.join(PRINTED)})"
-            raise unmet(f'"paper" or "robust" with method = "{method}"', remedy)
-        return preset
-
-    @field_validator("layers")
-    @classmethod
-    def _on_the_picture(cls, layers: tuple[LayerSettings, ...], info: ValidationInfo) -> tuple[LayerSettings, ...]:
-        method = info.data.get("method")
-        if layers and method in ON_SURFACE:
-            remedy = 'remove them or set method = "screen_space"'
-            raise unmet(f'no layers with method = "{method}"', remedy, str(len(layers)))
-        return layers
-
-    @field_validator("diffusion")
-    @classmethod
-    def _has_six_gaussians(cls, diffusion: Diffusion, info: ValidationInfo) -> Diffusion:
-        variances = [row[0] for row in diffusion.gaussians]
-        if info.data.get("method") == "gaussian_texture" and (len(variances) != 6 or variances != sorted(variances)):
-            expected = 'a profile of six rows, v rising, with method = "gaussian_texture"'
-            raise unmet(expected, "give such rows or choose another method", f"{variances}")
-        return diffusion
-
-    @field_validator("shadow_map")
-    @classmethod
-    def _goes_round(cls, shadow_map: ShadowMap, info: ValidationInfo) -> ShadowMap:
-        if info.data.get("method") == "preintegrated" and shadow_map.test != "slope":
-            remedy = "choose that test, which has a form for light that goes round, or another method"
-            raise unmet('test = "slope" with method = "preintegrated"', remedy, shadow_map.test)
-        return shadow_map
+    def _goes_with_the_method(cls, value: T, info: ValidationInfo) -> T:
+        if info.field_name and "method" in info.data:
+            LIMITS[info.field_name](info.data["method"], value)
+        return value
 
     @field_validator("mesh")
     @classmethod

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scenes import cube, written
 from techniques import MISTAKES, SCENES, TWO_LIGHTS, of
 
 from sss_ref.errors import SceneError
@@ -79,3 +80,32 @@ def test_what_is_lit_is_what_the_papers_method_has(name, keys):
         render(of(name, method=each, preset="paper", **keys), keep="lit") for each in ("screen_space", name)
     )
     assert found.hashes == expected.hashes
+
+
+@pytest.mark.parametrize(
+    ("name", "keys", "message"),
+    [
+        (
+            "preintegrated",
+            {"shadow_map.test": "kernel"},
+            'shadow_map.test: expected "slope" with method = "preintegrated", got "kernel"; '
+            "choose it or another method",
+        ),
+        (
+            "gaussian_texture",
+            {"diffusion.profile": [[2, 1, 1, 1], [1, 1, 1, 1]]},
+            'diffusion.profile: expected six rows, v rising, with method = "gaussian_texture", got v = [2.0, 1.0]; '
+            "give such rows or choose another method",
+        ),
+    ],
+)
+def test_what_a_technique_cannot_do_is_told(name, keys, message):
+    with pytest.raises(SceneError) as error:
+        of(name, **keys)
+    assert message in str(error.value)
+
+
+def test_a_map_of_the_surface_needs_uvs(tmp_path):
+    path = written(tmp_path / "cube.obj", *cube())
+    with pytest.raises(SceneError, match=r"method: expected a mesh with UVs, got cube\.obj without"):
+        of("gaussian_texture", **{"mesh.path": path})

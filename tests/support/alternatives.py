@@ -55,7 +55,14 @@ def methods_with_settings():
             )
         cases.append({"method": method, "preset": "published", "translucency": {"x": [0.5, 0.4, 0.3]}})
         cases.append({"method": method, "mesh.normal_map": "any.png", "mesh.specular_map": "any.png"})
-    for technique, lights, unit in product(TECHNIQUES, (1, 3), alternatives(scattering.Blur, "unit")):
-        cases.append({"method": technique, "lights": [{"position": [0.0, 0.0, 5.0]}] * lights, "blur.unit": unit})
+    for technique in TECHNIQUES:
+        own = [
+            *({"lights": [{"position": [0.0, 0.0, 5.0]}] * lights} for lights in (1, 3)),
+            *({"blur.unit": unit} for unit in alternatives(scattering.Blur, "unit")),
+            {"mesh.normal_map": "any.png", "mesh.specular_map": "any.png"},
+            *({"shadow_map.test": "kernel"} for _ in range(technique != "preintegrated")),
+            *({"layers": [LAYER]} for _ in range(technique != "gaussian_texture")),
+        ]
+        cases += [{"method": technique, **case} for case in own]
     cases += [{"layers": [LAYER], "lights": [{"position": [0.0, 0.0, 5.0]}] * lights} for lights in (1, 3)]
     return [(method_of(one), one) for one in map(settings_with, cases)]
