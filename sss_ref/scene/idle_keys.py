@@ -33,6 +33,11 @@ def _blurs_by(scene: SceneFile, unit: str) -> bool:
     return scene.method in ("screen_space", "texture_space") and scene.blur.unit == unit
 
 
+def _of(*methods: str) -> Need:
+    """What a key needs that these methods alone read."""
+    return Need(f"method = {' or '.join(methods)}", lambda scene: scene.method in methods)
+
+
 BENT = Need("mesh.normal_map", lambda scene: scene.mesh.normal_map is not None)
 SOFT = Need('shadow_map.test = "kernel"', lambda scene: scene.shadow_map.test == "kernel")
 SLOPED = Need('shadow_map.test = "slope" or "kernel"', lambda scene: scene.shadow_map.test in ("slope", "kernel"))
@@ -61,6 +66,13 @@ NEEDS = {
     ("translucency", "d_min"): OF_POWER,
     ("blur", "pixel_scale"): IN_PIXELS,
     ("blur", "mm_per_offset"): IN_MM,
+    ("diffusion", "profile"): _of("separable", "preintegrated", "gaussian_texture"),
+    ("diffusion", "reach_mm"): _of("separable"),
+    ("diffusion", "taps"): _of("separable"),
+    ("diffusion", "albedo"): _of("burley"),
+    ("diffusion", "mean_free_path_mm"): _of("burley"),
+    ("diffusion", "samples"): _of("burley"),
+    ("diffusion", "sharpest_curvature"): _of("preintegrated"),
 }
 
 

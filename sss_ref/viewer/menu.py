@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, get_args, get_origin, get_type_hints
 from pydantic import BaseModel
 
 from sss_ref.errors.wording import KeyPath
-from sss_ref.scene_file import quantities, scattering, settings
+from sss_ref.scene_file import diffusion, quantities, scattering, settings
 from sss_ref.scene_file.profiles import PROFILES
 from sss_ref.scene_file.reading import TABLES
 from sss_ref.scene_file.shipped import mesh_names
@@ -25,8 +25,10 @@ RANGES: dict[Any, tuple[float | None, float | None]] = {  # type of a number -> 
     quantities.Stops: (-STOPS, STOPS),
     quantities.Size: (1, LARGEST),
     quantities.Count: (0, LARGEST),
+    diffusion.Samples: (1, diffusion.MOST_TAPS),
+    diffusion.Taps: (3, diffusion.MOST_TAPS),
 }
-WHOLE = (quantities.Size, quantities.Count)
+WHOLE = (quantities.Size, quantities.Count, diffusion.Samples, diffusion.Taps)
 ONE_OR_THREE: Any = quantities.OneOrThree
 CHANNELS = {ONE_OR_THREE[kind]: limits for kind, limits in RANGES.items() if kind not in WHOLE}
 KINDS: dict[Any, dict[str, Any]] = {
@@ -37,6 +39,8 @@ KINDS: dict[Any, dict[str, Any]] = {
     quantities.Vector: {"kind": "vector"},
     quantities.Direction: {"kind": "vector"},
     quantities.Scale: {"kind": "vector"},
+    diffusion.ChannelShares: {"kind": "vector"},
+    diffusion.ChannelLengths: {"kind": "vector"},
     quantities.Color: {"kind": "color"},
     settings.MeshColor: {"kind": "color", "names": ["material"]},
     scattering.Kernel: {"kind": "choice", "choices": [*get_args(get_args(scattering.KernelName)[0])]},

@@ -27,6 +27,13 @@ CASES = {  # key -> another value, a scene where it counts, and one where it doe
     "translucency.d_min": (0.5, ROBUST, {"translucency.form": "beer"}),
     "blur.pixel_scale": (3.0, PLAIN, {"blur.unit": "mm"}),
     "blur.mm_per_offset": (3.0, ROBUST, PLAIN),
+    "diffusion.profile": ("wax", {"method": "separable", "mm_per_unit": 4.0}, {"method": "burley"}),
+    "diffusion.reach_mm": (4.0, {"method": "separable", "mm_per_unit": 4.0}, {"method": "burley"}),
+    "diffusion.taps": (9, {"method": "separable", "mm_per_unit": 4.0}, PLAIN),
+    "diffusion.albedo": ([0.1, 0.2, 0.9], {"method": "burley", "mm_per_unit": 4.0}, {"method": "separable"}),
+    "diffusion.mean_free_path_mm": ([2.0, 1.0, 0.5], {"method": "burley", "mm_per_unit": 4.0}, PLAIN),
+    "diffusion.samples": (9, {"method": "burley", "mm_per_unit": 4.0}, {"method": "separable"}),
+    "diffusion.sharpest_curvature": (0.3, {"method": "preintegrated", "mm_per_unit": 4.0}, {"method": "burley"}),
 }
 
 
