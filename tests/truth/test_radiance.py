@@ -9,8 +9,10 @@ from boxes import looking_down, parallel_light, write_box
 from sss_ref.errors import SceneError
 from sss_ref.scene.load import load_scene
 from sss_ref.truth.media import volumes
+from sss_ref.truth.path import survived
 from sss_ref.truth.photon import REFLECTED, TRANSMITTED, Volume
 from sss_ref.truth.radiance import nothing_gathered, read_radiance
+from sss_ref.truth.random_numbers import new_stream
 from sss_ref.truth.samplers import reflectance
 from sss_ref.truth.slab import slab
 from sss_ref.truth.tracing import Tracing
@@ -79,6 +81,14 @@ def test_without_scattering_no_light_turns_round(sphere, thick_slab):
     assert not traced(front, Volume(0.0, 1.0), 2, border="diffuse").mean.any()
 
 
+def test_a_light_path_goes_on_as_often_as_keeps_its_weight():
+    stream = new_stream(8)
+    assert survived(stream, 0.1) == 0.1 and survived(stream, 0.7) == 0.7
+    drawn = np.array([survived(stream, 0.03) for _ in range(4000)])
+    assert set(drawn) == {0.0, 0.1}
+    assert abs(drawn.mean() - 0.03) < 4 * drawn.std() / math.sqrt(len(drawn))
+
+
 def test_single_scattering_along_rays_through_a_slab(thick_slab):
     """Of a medium that scatters hardly: s/4 * e^(-t*z) * e^(-t*(d - z)/m), summed over z; twice is below 1 % of it."""
     albedo, cosine = 0.01, 0.8
@@ -114,8 +124,8 @@ def test_a_slab_lit_from_all_sides_is_as_bright_as_photons_say(thick_slab, g, si
 @pytest.mark.parametrize(("side", "fate"), [(1, REFLECTED), (-1, TRANSMITTED)])
 def test_a_slab_with_a_diffuse_border_is_as_bright_as_photons_say(thick_slab, ior, side, fate):
     """F * F * e * cos * R: of what enters, so much leaves; F twice, the light's and the eye's share that enters."""
-    volume, cosine, intensity = Volume(2.0, 0.5, 0.3, ior), 0.6, 2.5
-    light = parallel_light((0.8, 0.0, side * cosine), intensity)
+    volume, cosine, intensity = Volume(2.0, 0.5, 0.3, ior), 0.15, 2.5  # low, where much is reflected
+    light = parallel_light((math.sqrt(1 - cosine**2), 0.0, side * cosine), intensity)
     found = traced(looking_down(thick_slab, [light]), volume, 100, border="diffuse")
     photons = slab(volume, 1.5, 30_000)
     entering = (1 - reflectance(1.0, 1 / ior)) * (1 - reflectance(cosine, 1 / ior)) * intensity * cosine
