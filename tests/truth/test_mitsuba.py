@@ -96,7 +96,6 @@ def test_the_mean_radiance_is_mitsubas(name, mitsuba):
     loaded = load_scene(scene, **{"camera.width": SIZE, "camera.height": SIZE, "mm_per_unit": unit, **keys})
     ours = nothing_gathered(Tracing(loaded, medium, across_pixel=True)).more(512)
     passes = theirs(mitsuba, ours.of, PASSES)
-    print(ours.mean.mean(axis=(0, 1)), passes.mean(axis=(0, 1, 2)), ours.lost)
     for reduce in (lambda picture: picture.mean(axis=(-3, -2)), blocks):
         own, other = reduce(ours.mean), reduce(passes)
         share = own.size / ours.mean.size
@@ -105,5 +104,4 @@ def test_the_mean_radiance_is_mitsubas(name, mitsuba):
         other = other.mean(axis=0)
         bright = other > 0.02 * other.max()
         off = np.abs(own - other)
-        print((off / other)[bright].max(), (off / error)[bright].max())
         assert ((off < 0.01 * other) | (off < 3 * error))[bright].all()
