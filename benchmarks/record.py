@@ -2,6 +2,7 @@
 
     python benchmarks/record.py detection.py --size 256
     python benchmarks/record.py --name render_robust --note "shared machine" render.py --preset robust
+    python benchmarks/record.py --speed --against ../older      # all records of speed, of this commit
 
 NAME is the benchmark's unless given. A record is one command line, one line about the machine, a note if there is one,
 an empty line, and the output. Commit first: the line about the machine names the commit.
@@ -17,27 +18,43 @@ from importlib.metadata import version
 from pathlib import Path
 
 FOLDER = Path(__file__).parent
+SPEED = {  # name of the record -> its command
+    "opengl_1024": ("opengl.py", "--runs", "5", "--threads", "2", "1"),
+    "opengl_2048": ("opengl.py", "--size", "2048", "--triangles", "500000", "--runs", "3", "--threads", "2", "1"),
+    "linearity": ("linearity.py",),
+    "render": ("render.py", "--size", "512", "--triangles", "20000"),
+    "render_robust": ("render.py", "--size", "512", "--triangles", "20000", "--preset", "robust"),
+}
 RESULTS = FOLDER / "results"
 
 
 def main() -> None:
-    """Run, show and keep."""
+    """Run, show and keep, one benchmark or all of speed."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--name", help="of the record")
     parser.add_argument("--note", default="", help="what a reader of the numbers should know")
-    parser.add_argument("benchmark", help="a file of this folder")
+    parser.add_argument("--speed", action="store_true", help="make all records of speed")
+    parser.add_argument("--against", default="", help="with --speed: another checkout, for the time of the command")
+    parser.add_argument("benchmark", nargs="?", default="", help="a file of this folder")
     parser.add_argument("arguments", nargs=argparse.REMAINDER, help="for the benchmark")
     given = parser.parse_args()
-    head = [
-        f"$ python benchmarks/{' '.join([given.benchmark, *given.arguments])}",
-        machine(),
-        *filter(None, [given.note]),
-    ]
+    if given.speed:
+        command = {"command": ("command.py", "--against", given.against, "--runs", "3")} if given.against else {}
+        started = machine()  # one commit, before the first record changes a file
+        for name, words in (SPEED | command).items():
+            keep(name, [*words], given.note, started)
+    else:
+        name = given.name or Path(given.benchmark).stem
+        keep(name, [given.benchmark, *given.arguments], given.note, machine())
+
+
+def keep(name: str, words: list[str], note: str, machine: str) -> None:
+    """Run one benchmark, show what it prints and keep it under a name."""
+    head = [f"$ python benchmarks/{' '.join(words)}", machine, *filter(None, [note])]
     print("\n".join(head), end="\n\n", flush=True)
-    printed = output([sys.executable, str(FOLDER / given.benchmark), *given.arguments])
+    printed = output([sys.executable, str(FOLDER / words[0]), *words[1:]])
     RESULTS.mkdir(exist_ok=True)
-    record = RESULTS / f"{given.name or Path(given.benchmark).stem}.txt"
-    record.write_text("\n".join(head) + "\n\n" + printed, encoding="utf-8")
+    (RESULTS / f"{name}.txt").write_text("\n".join(head) + "\n\n" + printed, encoding="utf-8")
 
 
 def output(command: list[str]) -> str:
