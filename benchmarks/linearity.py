@@ -1,4 +1,4 @@
-"""Shows that time grows as the pixels and the triangles do, and what a second thread saves: python benchmarks/linearity.py.
+"""Shows that time grows as pixels and triangles do, and what a second thread saves: python benchmarks/linearity.py.
 
 The image alone of a bumpy sphere, all maps of the picture's size. Processor time of one thread, the least of several
 renderings, and the straight line through them by least squares of the relative error; for the threads the time that
@@ -34,13 +34,10 @@ def main() -> None:
         meshes = {count: written(Path(folder), count) for count in sorted({100_000, *asked.triangles})}
         for method in METHODS:
             print(f"{method}, preset {asked.preset}, the image alone", flush=True)
-            times = {size: processor(scene(asked, method, meshes[100_000], size), asked.runs) for size in asked.sizes}
-            show({size * size: took for size, took in times.items()}, "pixel")
-            times = {
-                count: processor(scene(asked, method, meshes[count], asked.size), asked.runs)
-                for count in asked.triangles
-            }
-            show({count: took for count, took in times.items()}, "triangle")
+            of_sizes = {size * size: scene(asked, method, meshes[100_000], size) for size in asked.sizes}
+            show({pixels: processor(drawn, asked.runs) for pixels, drawn in of_sizes.items()}, "pixel")
+            of_meshes = {count: scene(asked, method, meshes[count], asked.size) for count in asked.triangles}
+            show({count: processor(drawn, asked.runs) for count, drawn in of_meshes.items()}, "triangle")
             show_threads(scene(asked, method, meshes[100_000], asked.size), asked.runs)
 
 
@@ -82,8 +79,8 @@ def show(times: dict[int, float], what: str) -> None:
     )
     print(f"  {1e6 * slope:.1f} ns a {what} and {start:.1f} ms")
     for count, each in times.items():
-        line = slope * count + start
-        print(f"    {count:10,d} {what}s {each:9.1f} ms   line {line:9.1f} ms   {each / line - 1:+.0%}", flush=True)
+        fitted = slope * count + start
+        print(f"    {count:10,d} {what}s {each:9.1f} ms   line {fitted:9.1f} ms   {each / fitted - 1:+.0%}", flush=True)
 
 
 def show_threads(drawn: Scene, runs: int) -> None:
