@@ -1,6 +1,6 @@
 """Memory of buffers that are gone, kept for the next ones: what a system hands out anew it clears first, page by page.
 
-It is of use to whoever renders again and again in one process. Large buffers are never kept.
+It is of use to whoever renders again and again in one process. The largest buffers are never kept.
 """
 
 import ctypes
@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-LARGEST = 64 * 2**20  # bytes of a buffer whose memory is kept
+LARGEST = 256 * 2**20  # bytes of a buffer whose memory is kept
 SMALLEST = 2**20  # bytes; smaller ones cost less than the search
 MOST = 768 * 2**20  # bytes kept, those longest unused let go first
 
