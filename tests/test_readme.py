@@ -115,3 +115,19 @@ def test_the_poster_is_drawn_again_to_the_bit(tmp_path):
 def test_every_link_leads_somewhere():
     links = [link for link in re.findall(r"\]\(([^)\s]+)\)", README) if ":" not in link]
     assert links and all((ROOT / link).exists() for link in links)
+
+
+def ratios(record):
+    """(preset, method, what is kept) -> times OpenGL's processor time, of two threads, as a record has it."""
+    lines = (ROOT / "benchmarks" / "results" / f"{record}.txt").read_text().splitlines()
+    words = [line.split() for line in lines if " 2 threads " in line]
+    return {tuple(each[:3]): f"{float(each[-1]):.1f}" for each in words}
+
+
+def test_the_table_of_ratios_is_that_of_the_records():
+    found = [ratios("opengl_1024"), ratios("opengl_2048")]
+    for preset in ("paper", "robust"):
+        for method in ("screen_space", "texture_space"):
+            cells = [record.get((preset, method, keep), "") for record in found for keep in ("final", "all")]
+            row = " | ".join([f"{preset}, {method.replace('_', ' ')}", *cells])
+            assert f"| {row} |".replace("|  |", "| |") in README
