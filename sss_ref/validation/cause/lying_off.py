@@ -82,7 +82,7 @@ def lying_off(todo: Redrawing, limit: Limit) -> Iterator[LyingOff]:
         if abs(scale - 1) >= NOTICED:
             yield draw.larger(scale)
         slope, offset = _fitted_depths(draw)
-        if max(abs(slope - 1), abs(offset)) >= SAME_DEPTH:
+        if slope > 0 and max(abs(slope - 1), abs(offset)) >= SAME_DEPTH:  # below 0 the far is near
             yield draw.with_planes(slope, offset)
 
 
