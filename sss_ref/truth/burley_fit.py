@@ -32,6 +32,6 @@ class BurleyFit(NamedTuple):
 
 
 def burley_fit(reflectance: float, mean_free_path: float) -> BurleyFit:
-    """The fit for a reflectance A and a mean free path 1 / (scattering + absorption), mm."""
+    """The fit for a reflectance A and a `mean_free_path` 1 / (scattering + absorption), mm."""
     s = 1.85 - reflectance + 7 * abs(reflectance - 0.8) ** 3
     return BurleyFit(reflectance, mean_free_path / s)

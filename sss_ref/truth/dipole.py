@@ -30,7 +30,7 @@ class Dipole(NamedTuple):
 
 
 def dipole(volume: Volume) -> Dipole:
-    """The dipole of a material; its anisotropy goes into the reduced scattering s * (1 - g)."""
+    """The dipole of a volume; its anisotropy goes into the reduced scattering s * (1 - g)."""
     scattering, absorption, anisotropy, ior = volume
     reduced = scattering * (1 - anisotropy)
     extinction = reduced + absorption

@@ -16,10 +16,10 @@ NAMED: dict[str, Medium] = {**MEASURED_SKIN, **{str(name): medium for name, medi
 
 
 def volumes(name: str, ior: float | None = None) -> Volumes:
-    """The volumes of a named material, with its own index of refraction or another one. Raises SceneError for no name.
+    """The volumes (red, green, blue) of the material `name`, with its own index of refraction or another one, `ior`.
 
-    Scattering is reduced, so anisotropy is 0. The material `skin` of a scene is a sum of Gaussians that no coefficients
-    stand behind: skin1 and skin2 are measured.
+    Raises SceneError for what is no name. Scattering is reduced, so anisotropy is 0. The material `skin` of a scene is
+    a sum of Gaussians that no coefficients stand behind: skin1 and skin2 are measured.
     """
     if name not in NAMED:
         raise SceneError(told("material", "the name of a medium", repr(name), nearest(name, NAMED)))

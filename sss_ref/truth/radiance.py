@@ -81,13 +81,13 @@ class Radiance:
 
 
 def nothing_gathered(of: Tracing) -> Radiance:
-    """No sample yet."""
+    """The radiance `of` a tracing, no sample of which is taken yet."""
     shape = (of.eye.height, of.eye.width, 3)
     return Radiance(of, 0, Sums(np.zeros(shape), np.zeros(shape), np.zeros(shape, np.int64)))
 
 
 def read_radiance(path: Path, of: Tracing) -> Radiance:
-    """The samples of a tracing that were saved. Raises SceneError for another one's, and for what is none."""
+    """The samples `of` a tracing, saved at a path. Raises SceneError for another one's, and for what is none."""
     try:
         with np.load(path) as content:
             found = {name: content[name] for name in content.files}

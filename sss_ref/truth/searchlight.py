@@ -88,9 +88,10 @@ def searchlight(
     threads: int | None = None,
     on_progress: Progress | None = None,
 ) -> RadialProfile:
-    """Walk so many photons of a beam into a half-space; the same bits for any number of threads.
+    """Walk so many photons of a beam into a half-space of a volume; the same bits for any number of threads.
 
-    To go on with a profile's photons: `RadialProfile(profile.tally.more(photons))`.
+    seed: of the random numbers. threads: all processors where it is None. on_progress(done, photons) is told now and
+    then. To go on with a profile's photons: `RadialProfile(profile.tally.more(photons))`.
     Raises SceneError for a volume without absorption: its photons would walk for ever.
     """
     return RadialProfile(nothing_walked(beam(volume, seed)).more(photons, threads, on_progress))

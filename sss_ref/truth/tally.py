@@ -90,7 +90,7 @@ def nothing_walked(of: Walk) -> Tally:
 
 
 def read_tally(path: Path, of: Walk) -> Tally:
-    """The tally of a walk that was saved. Raises SceneError for another walk's, and for what is no tally."""
+    """The tally `of` a walk, saved at a path. Raises SceneError for another walk's, and for what is no tally."""
     try:
         content = json.loads(text_of(path, "a tally", SceneError))
         counts = np.array(content["counts"], np.int64)

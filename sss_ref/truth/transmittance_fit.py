@@ -42,7 +42,10 @@ class TransmittanceFit:
 def fitted_transmittance(
     volume: Volume, photons: int, threads: int | None = None, on_slab: Callable[[int, int], None] | None = None
 ) -> TransmittanceFit:
-    """Walk through slabs of many thicknesses and fit, by least squares of ln T; raises SceneError as `slab` does."""
+    """Walk so many photons through each of many slabs of a volume and fit T(d), by least squares of ln T.
+
+    threads: all processors where it is None. on_slab(number, count) is told after each. Raises SceneError as `slab`.
+    """
     found = []
     for number, step in enumerate(STEPS, start=1):
         thickness = float(step) * diffusion_length(volume)

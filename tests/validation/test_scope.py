@@ -79,7 +79,7 @@ def test_without_time_it_is_said_what_was_not_tried(oracle, wrong, whole):
     found = validate(oracle, wrong, explain=replace(QUICK, seconds=0.0))
     assert found.verdicts == whole.verdicts
     assert found.finding.not_tried.startswith("not tried within 0 s: ")
-    for kind in ("numbers", "5 kinds of other inputs and stages", "mistakes in the source"):
+    for kind in ("numbers", "6 kinds of other inputs and stages", "mistakes in the source"):
         assert kind in found.finding.not_tried
     assert found.explanations[-1] == found.finding.not_tried == as_json(found)["not_tried"]
     assert not whole.finding.not_tried
