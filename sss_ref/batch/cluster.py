@@ -4,9 +4,10 @@ import logging
 import threading
 import warnings
 from collections import deque
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import CancelledError
 from contextlib import contextmanager, suppress
+from functools import partial
 from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
@@ -129,7 +130,7 @@ def _outcomes(client: Any, job: Job, items: Sequence[int]) -> Iterator[ItemOutco
             in_flight[client.submit(work_alike, versions(), packed, item, pure=False)] = item
         for future in _finished(client, in_flight):
             item = in_flight.pop(future)
-            outcome = _outcome_of(future, item)
+            outcome = _outcome_of(client, future, item)
             if outcome:
                 yield outcome
             elif alone:
@@ -138,29 +139,35 @@ def _outcomes(client: Any, job: Job, items: Sequence[int]) -> Iterator[ItemOutco
                 lost.append(item)
 
 
-def _outcome_of(future: Any, item: int) -> ItemOutcome | None:
+def _outcome_of(client: Any, future: Any, item: int) -> ItemOutcome | None:
     """The outcome of a future that is done; None where its workers were killed."""
     from distributed import KilledWorker
 
-    failure = future.exception()
-    if isinstance(failure, KilledWorker):
-        return None
-    if failure:
+    failure = _awaited(client, future.exception)
+    if failure and not isinstance(failure, KilledWorker):
         came, remedy = f"{type(failure).__name__} in a worker", "install the same packages on all"
         return ItemOutcome(item, "failed", message=told(f"item {item}", "a picture", came, remedy))
-    outcome: ItemOutcome = future.result()
-    return outcome
+    with suppress(KilledWorker):  # also of one that has to begin again, for the worker with its outcome has ended
+        outcome: ItemOutcome = _awaited(client, future.result)
+        return outcome
+    return None
 
 
 def _finished(client: Any, in_flight: dict[Any, int]) -> list[Any]:
-    """Some futures that are done. Raises RenderError where there has been no worker for a while."""
-    from distributed import TimeoutError as StillWorking
+    """Some futures that are done."""
     from distributed import wait
+
+    with client.as_current():
+        return list(_awaited(client, partial(wait, list(in_flight), return_when="FIRST_COMPLETED")).done)
+
+
+def _awaited(client: Any, answer: Callable[..., Any]) -> Any:
+    """What a call that takes a timeout gives at last. Raises RenderError where there has been no worker for a while."""
+    from distributed import TimeoutError as StillWorking
 
     while True:
         try:
-            with client.as_current():
-                return list(wait(list(in_flight), timeout=PATIENCE, return_when="FIRST_COMPLETED").done)
+            return answer(timeout=PATIENCE)
         except StillWorking:
             if not client.nthreads():
                 expected = "a cluster with workers"

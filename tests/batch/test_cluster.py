@@ -108,6 +108,33 @@ class FakeClient:
         return self.answers
 
 
+class LostOutcome:
+    """A future that is done, whose outcome was in a worker that has ended: another has to begin again."""
+
+    def __init__(self, *answers):
+        self.answers = list(answers)
+
+    def exception(self, timeout):
+        return None
+
+    def result(self, timeout):
+        answer = self.answers.pop(0)
+        if isinstance(answer, Exception):
+            raise answer
+        return answer
+
+
+def test_an_outcome_that_ended_with_its_worker_is_waited_for_while_there_are_workers():
+    client, late = FakeClient({}), distributed.TimeoutError()
+    client.scheduler = FakeClient({})
+    client.scheduler.address, client.nthreads = "tcp://a:1", lambda: {"tcp://b:2": 1}
+    assert cluster._outcome_of(client, LostOutcome(late, "outcome"), 3) == "outcome"
+    assert cluster._outcome_of(client, LostOutcome(late, distributed.KilledWorker("task", None, 0)), 3) is None
+    client.nthreads = dict
+    with pytest.raises(RenderError, match="tcp://a:1: expected a cluster with workers, got none any more; start some"):
+        cluster._outcome_of(client, LostOutcome(late, "outcome"), 3)
+
+
 def test_workers_without_the_package_or_none_at_all_are_told():
     with pytest.raises(SceneError, match="tcp://a:1: expected a cluster with workers, got none; start"):
         cluster._check_workers("tcp://a:1", {})
