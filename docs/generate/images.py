@@ -14,7 +14,7 @@ import sss_ref
 from sss_ref.cli import main
 from sss_ref.pictures.lettering import BRIGHT, font
 from sss_ref.pictures.overview import write_overview
-from sss_ref.pictures.png_file import encoding_of, write_png
+from sss_ref.pictures.png_file import encoding_of, image_encoding_of, write_png
 from sss_ref.rendering.samples import render_samples
 from sss_ref.scene.catalogue import METHODS, TECHNIQUES
 from sss_ref.scene_file.kernels import TABLE1
@@ -34,8 +34,9 @@ def scene(name: str, **overrides: float | str) -> sss_ref.Scene:
 
 def poster(path: Path) -> None:
     """The default scene with smooth edges, on nothing."""
-    result = render_samples(scene("default"), 4)
-    write_png(path, result.foreground, result.coverage)
+    shown = scene("default")
+    result = render_samples(shown, 4)
+    write_png(path, result.foreground, result.coverage, image_encoding_of(shown.settings))
 
 
 def overview(path: Path) -> None:
@@ -71,7 +72,7 @@ def gallery(path: Path) -> None:
     strip = Image.new("RGB", (len(GALLERY) * SIDE // 2, SIDE // 2))
     for place, name in enumerate(GALLERY):
         shown = scene(name)
-        codes = encoding_of(shown.settings)(render_samples(shown, 2).image)
+        codes = image_encoding_of(shown.settings)(render_samples(shown, 2).image)
         strip.paste(Image.fromarray(codes[::-1]).reduce(2), (place * SIDE // 2, 0))
     strip.save(path, optimize=True)
 
