@@ -9,6 +9,7 @@ from fresh_process import hashes_and_words, hashes_elsewhere, machine_code
 from scenes import around, cube, sphere, written
 
 import sss_ref
+from sss_ref.cache.spare_memory import SPARE
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 
@@ -87,6 +88,7 @@ def test_a_rendering_needs_half_as_much_again_as_it_keeps(tmp_path, preset):
     path = written(tmp_path / "sphere.obj", *sphere(24))
     scene = load_scene(around(path, size=512, preset=preset))
     render(scene, threads=2)
+    SPARE.blocks.clear()
     tracemalloc.start()
     try:
         result = render(scene, threads=2)

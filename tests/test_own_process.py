@@ -31,11 +31,13 @@ def test_kernels_load_without_scipys_linear_algebra_if_it_is_left_out(before, lo
     pytest.importorskip("scipy.linalg")
     program = f"""
 import sys
+import numba
 import numpy as np
 from sss_ref.cache.blas import leave_out
 from sss_ref.numerics.scalar import exp_scalar
 {before}
 exp_scalar(np.float32(1))
+numba.njit(lambda x: x + x)(1)  # what is compiled asks for all that numba knows
 print("scipy.linalg" in sys.modules)
 import scipy.linalg.cython_blas
 """
