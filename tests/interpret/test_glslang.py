@@ -19,8 +19,11 @@ CHOICES = {
     "preset": alternatives(settings.SceneFile, "preset"),
     "mesh.color": ("material",),
     "mesh.texture": ("any.png",),
-    "shadow_map.filter": alternatives(settings.ShadowMap, "filter"),
-    "shadow_map.test": alternatives(settings.ShadowMap, "test"),
+    "shadow_map": tuple(
+        {"filter": filtering, "test": test}
+        for filtering in alternatives(settings.ShadowMap, "filter")
+        for test in alternatives(settings.ShadowMap, "test")
+    ),
     "translucency.form": alternatives(scattering.TranslucencySettings, "form"),
     "translucency.combine": alternatives(scattering.TranslucencySettings, "combine"),
     "blur.mask": alternatives(scattering.Blur, "mask"),
