@@ -29,6 +29,7 @@ from sss_ref.results.diff import differing_pixels
 
 HEAD = "bust"
 SIZE = 256
+PATIENT = sss_ref.Scope(seconds=600)  # for explanations, which take seconds; a slow machine may take its time
 
 # %% [markdown]
 # ## It looks right
@@ -68,7 +69,7 @@ side_by_side(dump, 0.005)
 # every small change to the source.
 
 # %%
-report = sss_ref.validate(oracle, dump)
+report = sss_ref.validate(oracle, dump, explain=PATIENT)
 print(report.summary)
 print(*report.explanations, sep="\n")
 assert report.culprit.stage == "translucency_ratio" and "0.61" in report.explanations[0]
@@ -122,11 +123,11 @@ assert consequences(dump, report) == (4, 1)
 # ## A mistake in the source
 #
 # Numbers are easy. `mutants` lists mistakes that people make in the source of a stage: a forgotten `normalize`, a sign,
-# two swapped operands. `with_stage` lets the "processor" run one of them. Here the bias of the shadow test has lost the
-# part that grows with the slope of the surface.
+# two swapped operands. `with_stage` lets the "processor" run one of them. Here Phong's direction to the light has lost
+# the position of the surface, as if the light were far away; the picture still looks like a head in the light.
 
 # %%
-from sss_ref.passes import phong, shadow_map
+from sss_ref.passes import phong
 from sss_ref.validation.cause.mutants import mutants
 
 
@@ -138,19 +139,20 @@ def drawn_with(stage, wrong):
 
 
 # %%
-dump = drawn_with(shadow_map.directly_lit_slope, "bias = bias_abs + bias_slope * texel_width")
-side_by_side(dump, 0.1)
+dump = drawn_with(phong.phong_shading, "to_light = normalize(light_position)")
+side_by_side(dump, 0.2)
 
 # %%
-report = sss_ref.validate(oracle, dump)
+report = sss_ref.validate(oracle, dump, explain=PATIENT)
 print(report.summary)
 print(*report.explanations, sep="\n")
-assert report.culprit.stage == "directly_lit_slope"
-assert any("`bias = bias_abs + bias_slope * texel_width`" in each for each in report.explanations)
+assert report.culprit.stage == "phong_shading"
+assert any("`to_light = normalize(light_position)`" in each for each in report.explanations)
 
 # %% [markdown]
-# Several mistakes would explain it: they compute the same number, so no buffer can tell them apart. You know which one
-# your source can contain. Here a much larger part of the picture changes its bits:
+# A value that may be any number tells much: of all that was tried, one mistake gives the numbers of all these pixels.
+# Where a stage says only yes or no, as the shadow test does, several may fit, and no buffer can tell them apart; you
+# know which one your source can contain. And again only one stage is to blame for all the buffers that differ:
 
 # %%
 differing, wrong = consequences(dump, report)
