@@ -10,7 +10,7 @@ from sss_ref.viewer.server import Viewer
 from sss_ref.viewer.studio import starting_point
 
 SMALL = {f"{table}.{side}": 64 for table in ("camera", "shadow_map", "irradiance_map") for side in ("width", "height")}
-PATIENCE = 60  # seconds for anything that is waited for
+PATIENCE = 120  # seconds for anything that is waited for
 
 
 class Page:

@@ -13,7 +13,7 @@ from sss_ref.viewer.studio import smaller
 def test_the_pace_finds_the_largest_size_that_is_fast_enough():
     pace = Pace()
     for _ in range(30):
-        pace.took(1e-6 * pace.side**2)  # 200^2 take as long as a draft may
+        pace.took(SLOWEST * (pace.side / 200) ** 2)  # 200^2 take as long as a draft may
     assert pace.side == 192
     for _ in range(30):
         pace.took(9.0)
