@@ -22,7 +22,7 @@ extensions = [
     "sphinx_copybutton",
     "sphinx_design",
 ]
-exclude_patterns = ["_build", "conf.py", "generate", "generated/course/[!0-9]*"]
+exclude_patterns = ["_build", "conf.py", "generate"]
 nitpicky = True
 nitpick_ignore_regex = [("py:.*", "(numpy|np|collections|concurrent|os|pathlib|typing|Path|PathLike|NDArray|Matrix).*")]
 

@@ -21,12 +21,10 @@
 # %%
 import math
 
-import checks
-import figures
 import numpy as np
-import small_scenes
 
 import sss_ref
+from sss_ref.course import checks, figures, small_scenes
 from sss_ref.language import vec3
 from sss_ref.methods.published import byte_targets as encoding
 from sss_ref.passes import irradiance, phong, shadow_map

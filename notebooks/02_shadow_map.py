@@ -17,13 +17,11 @@
 # the map tells a point of the surface.
 
 # %%
-import checks
-import figures
 import numpy as np
-import small_scenes
-from rerun import rerun
 
 import sss_ref
+from sss_ref.course import checks, figures, small_scenes
+from sss_ref.course.rerun import rerun
 from sss_ref.passes import shadow_map
 from sss_ref.raster.coverage import at, edge_function, owns_its_samples
 

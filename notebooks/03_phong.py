@@ -17,13 +17,11 @@
 # what subsurface scattering will be compared with.
 
 # %%
-import checks
-import figures
 import numpy as np
-import small_scenes
-from rerun import rerun
 
 import sss_ref
+from sss_ref.course import checks, figures, small_scenes
+from sss_ref.course.rerun import rerun
 from sss_ref.language import normalize, reflect, vec3
 from sss_ref.passes import phong
 

@@ -17,12 +17,10 @@
 # the kernel, weigh it, find two flaws in it, and then stop it from spilling over the edge.
 
 # %%
-import checks
-import figures
 import numpy as np
-import small_scenes
 
 import sss_ref
+from sss_ref.course import checks, figures, small_scenes
 from sss_ref.language import Array, Texture, ivec2
 from sss_ref.passes import blur
 from sss_ref.scene_file.kernels import HBH09, TABLE1

@@ -17,13 +17,11 @@
 # the light *entered* the body. From there to the fragment is the **thickness** $d$, and the thicker, the darker.
 
 # %%
-import checks
-import figures
 import numpy as np
-import small_scenes
-from rerun import rerun
 
 import sss_ref
+from sss_ref.course import checks, figures, small_scenes
+from sss_ref.course.rerun import rerun
 from sss_ref.language import normalize, vec2, vec3
 from sss_ref.passes import shadow_map, translucency
 from sss_ref.pictures.png_file import plain8

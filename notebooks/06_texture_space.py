@@ -17,12 +17,10 @@
 # UV seams" (2.2). We lay the head out, shine on it, and find out what seams and stretching do.
 
 # %%
-import checks
-import figures
 import numpy as np
-import small_scenes
 
 import sss_ref
+from sss_ref.course import checks, figures, small_scenes
 from sss_ref.language import mat3, mat4, vec2, vec3
 from sss_ref.mesh.uv_facts import uv_facts
 from sss_ref.passes import texture_image, vertex

@@ -17,12 +17,10 @@
 # locality" (4). This notebook puts numbers to it. The same head, light, material and kernel; only the method changes.
 
 # %%
-import checks
-import figures
 import numpy as np
-import small_scenes
 
 import sss_ref
+from sss_ref.course import checks, figures, small_scenes
 from sss_ref.scene_file.kernels import HBH09
 
 HEAD = "bust"

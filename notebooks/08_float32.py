@@ -17,13 +17,11 @@
 # notebook measures by how much, so that the next one can tell such differences from mistakes.
 
 # %%
-import checks
-import figures
 import numpy as np
-import small_scenes
-from rerun import inputs_of
 
 import sss_ref
+from sss_ref.course import checks, figures, small_scenes
+from sss_ref.course.rerun import inputs_of
 from sss_ref.language import dot, normalize, pow, vec3
 from sss_ref.results.diff import bits
 

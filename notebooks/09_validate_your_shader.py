@@ -18,13 +18,11 @@
 # %%
 from dataclasses import replace
 
-import checks
-import figures
 import numpy as np
-import small_scenes
-from dumps import three_dumps
 
 import sss_ref
+from sss_ref.course import checks, figures, small_scenes
+from sss_ref.course.dumps import three_dumps
 from sss_ref.results.diff import differing_pixels
 
 HEAD = "bust"

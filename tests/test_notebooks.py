@@ -5,9 +5,10 @@ import re
 import runpy
 from pathlib import Path
 
-import checks
 import matplotlib
 import pytest
+
+from sss_ref.course import checks
 
 NOTEBOOKS = sorted((Path(__file__).parents[1] / "notebooks").glob("[0-9][0-9]_*.py"))
 EXERCISES = {

@@ -24,7 +24,7 @@ IMAGES = ROOT / "docs" / "images"
 SIDE = 512
 GALLERY = ("figure3_with", "teeth_layers_backlit", "wax", "glass", "figure5")
 
-sys.path[:0] = [str(ROOT / "notebooks"), str(ROOT / "tests" / "support")]
+sys.path.insert(0, str(ROOT / "tests" / "support"))
 
 
 def scene(name: str, **overrides: float | str) -> sss_ref.Scene:
@@ -50,7 +50,7 @@ def overview(path: Path) -> None:
 
 def validation(path: Path) -> None:
     """A fault that no eye sees, and the pixels where `validate` finds it."""
-    import figures
+    from sss_ref.course import figures
 
     right = sss_ref.render(scene("figure3_with"))
     wrong = sss_ref.render(scene("figure3_with", **{"translucency.exponent": 0.751}))
@@ -95,7 +95,7 @@ def techniques(path: Path) -> None:
 
 def kernel(path: Path) -> None:
     """The paper's Table 1 as notebook 4 draws it."""
-    import figures
+    from sss_ref.course import figures
 
     taps = np.array(TABLE1)
     figure, axes = figures.row(3, height=3.0)

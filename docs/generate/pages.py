@@ -29,14 +29,13 @@ def texts() -> dict[str, str]:
 
 
 def what_notebooks_run() -> str:
-    """A hash of the package and of the modules beside the notebooks: with another, their results are out of date."""
-    sources = [*sorted(NOTEBOOKS.glob("[!0-9]*.py")), *sorted(PACKAGE.rglob("*.py"))]
-    texts = b"".join(path.read_bytes() for path in sources)
+    """A hash of the package: with another one the notebooks' results are out of date."""
+    texts = b"".join(path.read_bytes() for path in sorted(PACKAGE.rglob("*.py")))
     return hashlib.sha256(fingerprint().encode() + texts).hexdigest()[:16]
 
 
 def write(folder: Path) -> None:
-    """Write the pages and the picture of the rooms, and copy the notebooks with the modules they import.
+    """Write the pages and the picture of the rooms, and copy the notebooks.
 
     What was there before is removed.
     """

@@ -16,7 +16,8 @@ def rerun(stage: Stage, result: Result, /, **changed: Any) -> dict[str, np.ndarr
     result: a rendering with all its buffers; the stage reads these and the scene's uniforms.
     changed: inputs to use instead: a buffer of the same size, or a uniform.
     """
-    values = inputs_of(stage, result, np.nonzero(result["coverage"]), **changed)
+    rows, columns = np.nonzero(result["coverage"])
+    values = inputs_of(stage, result, (rows, columns), **changed)
     outputs = stage(*values.values())
     return {name: _picture(value, stage, name, result) for name, value in outputs._asdict().items()}
 
@@ -27,7 +28,7 @@ def inputs_of(stage: Stage, result: Result, at: tuple[np.ndarray, np.ndarray], /
     at: rows and columns (N,) of the camera's picture. result, changed: as in `rerun`.
     """
     rows, columns = at
-    given: dict[str, Any] = result.scene.uniforms | dict(result.buffers) | changed
+    given: dict[str, Any] = {**result.scene.uniforms, **result.buffers, **changed}
     pixel = ivec2(columns.astype(np.int32), rows.astype(np.int32))
     values: dict[str, Any] = {}
     for name, kind in stage.parameters.items():

@@ -3,11 +3,12 @@
 import base64
 import io
 
-import figures
 import numpy as np
 import pytest
 from matplotlib import pyplot
 from PIL import Image
+
+from sss_ref.course import figures
 
 
 @pytest.fixture(autouse=True)

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from dumps import WRONG_STAGE, three_dumps
 
 import sss_ref
+from sss_ref.course.dumps import WRONG_STAGE, three_dumps
 
 
 @pytest.fixture(scope="module")

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-import small_scenes
 from scenes import cube, written
 
 import sss_ref
+from sss_ref.course import small_scenes
 from sss_ref.view.light_fit import Bounds
 
 

@@ -7,6 +7,7 @@ import base64
 import io
 import math
 from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -16,6 +17,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
+from matplotlib.patches import Circle, Rectangle
 
 from sss_ref.explanation.explain import Explanation
 from sss_ref.explanation.page import html
@@ -117,8 +119,8 @@ def texture_coordinates(axes: Axes, uv: np.ndarray, title: str, where: np.ndarra
 
 def taps(axes: Axes, offsets: np.ndarray, weights: np.ndarray, title: str, color: str) -> None:
     """The taps of a kernel as circles: at their offsets (N, 2) in pixels, areas as their weights (N,)."""
-    axes.scatter(*offsets.T, s=1800 * weights, color=color, alpha=0.45, edgecolors=color)
-    axes.scatter(*offsets.T, s=3, color=INK)
+    axes.scatter(offsets[:, 0], offsets[:, 1], s=1800 * weights, color=color, alpha=0.45, edgecolors=color)
+    axes.scatter(offsets[:, 0], offsets[:, 1], s=3, color=INK)
     axes.set(title=title, xlim=(-8, 8), ylim=(-8, 8), aspect="equal", xlabel="pixels", ylabel="pixels")
     axes.set(xticks=range(-8, 9, 4), yticks=range(-8, 9, 4))
     axes.grid(color=NO_VALUE)
@@ -129,7 +131,7 @@ def centres(axes: Axes, shift: np.ndarray, title: str) -> None:
     """Where a blur moves the centre of each colour: shift (2, 3), x and y in pixels of red, green and blue."""
     axes.axhline(0, color=FAINT, linewidth=0.8)
     axes.axvline(0, color=FAINT, linewidth=0.8)
-    axes.scatter(*shift, c=CHANNELS, s=60)
+    axes.scatter(shift[0], shift[1], c=CHANNELS, s=60)
     axes.set(title=title, xlim=(-0.3, 0.3), ylim=(-0.3, 0.3), aspect="equal")
     axes.set(xlabel="pixels to the right", ylabel="pixels up")
 
@@ -137,7 +139,7 @@ def centres(axes: Axes, shift: np.ndarray, title: str) -> None:
 def ways_through_a_disk(light: vec3, entry: vec3, fragment: vec3) -> None:
     """Light that goes from a point into the unit disk at `entry` and leaves it at `fragment`, seen from above."""
     _, (axes,) = row(1, 3.0, 6.6)
-    axes.add_patch(plt.Circle((0, 0), 1, color=NO_VALUE))
+    axes.add_patch(Circle((0, 0), 1, color=NO_VALUE))
     axes.plot([0 * entry.x + light.x, entry.x], [0 * entry.y + light.y, entry.y], color=AMBER, linewidth=1)
     axes.plot([entry.x, fragment.x], [entry.y, fragment.y], color=RED, linewidth=1.6)
     axes.scatter(light.x, light.y, s=90, color=AMBER)
@@ -150,14 +152,14 @@ def ways_through_a_disk(light: vec3, entry: vec3, fragment: vec3) -> None:
 def layout(axes: Axes, uvs: np.ndarray, triangles: np.ndarray, title: str) -> None:
     """The triangles (T, 3) of a mesh where its texture coordinates (V, 2) put them."""
     axes.add_collection(PolyCollection(uvs[triangles], facecolors="#dbe6f0", edgecolors=BLUE, linewidths=0.1))
-    axes.add_patch(plt.Rectangle((0, 0), 1, 1, fill=False, edgecolor=FAINT))
+    axes.add_patch(Rectangle((0, 0), 1, 1, fill=False, edgecolor=FAINT))
     axes.set(title=title, aspect="equal", xlim=(-0.02, 1.02), ylim=(-0.02, 1.02), xlabel="u", ylabel="v")
 
 
 def spreads(samples: Mapping[str, np.ndarray], title: str, x_label: str) -> None:
     """Histograms of several sets of positive numbers, each relative to its own median, on a logarithmic axis."""
     _, (axes,) = row(1, 2.9, 6.6)
-    bins = np.geomspace(0.25, 8, 90)
+    bins = np.geomspace(0.25, 8, 90).tolist()
     for (name, numbers), color in zip(samples.items(), (BLUE, AMBER), strict=False):
         share = np.full(len(numbers), 100 / len(numbers))
         axes.hist(numbers / np.median(numbers), bins, weights=share, color=color, alpha=0.6, label=name)
@@ -250,10 +252,10 @@ class Sliders:
         figure = self.draw(**{name: control.value for name, control in self.controls.items()})
         self.shown.value = png_of(figure)
 
-    def _repr_mimebundle_(self, **options: object) -> dict[str, object]:
+    def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:
         """The widgets, and for readers without them the picture, as a page and alone."""
         left = Layout(align_items="flex-start")  # or the picture would be stretched
-        widgets = VBox([*self.controls.values(), self.shown], layout=left)._repr_mimebundle_(**options)
+        widgets: dict[str, Any] = VBox([*self.controls.values(), self.shown], layout=left)._repr_mimebundle_(**options)
         png = base64.b64encode(self.shown.value).decode()
         caption = f"In Jupyter, with sliders for {', '.join(self.controls)}."
         page = f'<figure><img src="data:image/png;base64,{png}"><figcaption>{caption}</figcaption></figure>'

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-import small_scenes
-from rerun import inputs_of, rerun
 
+from sss_ref.course import small_scenes
+from sss_ref.course.rerun import inputs_of, rerun
 from sss_ref.passes import blur, phong, shadow_map, translucency
 from sss_ref.rendering.fold import render
 

@@ -1,8 +1,7 @@
 """Three dumps for the last exercise: what three graphics processors, one of them right, might have drawn."""
 
-import small_scenes
-
 import sss_ref
+from sss_ref.course import small_scenes
 from sss_ref.language import dot, max, normalize, stage, vec3
 from sss_ref.passes.phong import Phong, highlight
 

@@ -3,10 +3,10 @@
 import inspect
 import math
 
-import checks
 import numpy as np
 import pytest
 
+from sss_ref.course import checks
 from sss_ref.language import reflect
 
 RIGHT = {
