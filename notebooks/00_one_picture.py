@@ -12,6 +12,8 @@
 # %% [markdown]
 # # One picture, stage by stage
 #
+# > **Aims.** Render a scene, and know a stage, a buffer and a uniform. **Before.** Nothing. **Time.** 10 minutes.
+#
 # A scene names a mesh, a camera and a light; a preset fills in the rest. Rendering it gives one array for every buffer
 # of every shader stage. Row 0 is the bottom row, as OpenGL reads pixels back.
 

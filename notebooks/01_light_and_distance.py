@@ -12,6 +12,9 @@
 # %% [markdown]
 # # 1. Light and distance
 #
+# > **Aims.** Compute how far the light is and how much of it arrives, and tell a distance from a depth. **Before.**
+# > Dot product, length of a vector. **Time.** 40 minutes.
+#
 # Skin, wax and teeth let light in and give it back somewhere else (paper 1). The paper's shortcut for this needs only
 # two things to begin with: **how far** a point of the surface lies from the light, and **how much** light falls on
 # it. This notebook is about these two. Keep the paper beside you; the numbers in brackets are its sections.

@@ -12,6 +12,9 @@
 # %% [markdown]
 # # 2. The shadow map, and a triangle by hand
 #
+# > **Aims.** Cover a triangle's samples by hand, look a fragment up in a shadow map, and choose a bias. **Before.**
+# > Lesson 1; matrices. **Time.** 60 minutes.
+#
 # The light draws the model before the camera does (paper 2.1). "Draw" means: find out which triangle each pixel of
 # the shadow map sees. We do this by hand for one triangle, then let the package do it for the head, and then ask what
 # the map tells a point of the surface.

@@ -12,6 +12,9 @@
 # %% [markdown]
 # # 4. The thirteen-tap blur
 #
+# > **Aims.** Read a blur kernel, check its energy and its centre, and keep it inside an outline. **Before.** Lesson
+# > 3. **Time.** 45 minutes.
+#
 # Light that enters the skin leaves it a little beside where it entered. In screen space the paper imitates this by a
 # blur of the lit picture: thirteen samples, each with a weight for red, green and blue (paper 3.2, Table 1). We draw
 # the kernel, weigh it, find two flaws in it, and then stop it from spilling over the edge.

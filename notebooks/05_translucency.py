@@ -12,6 +12,9 @@
 # %% [markdown]
 # # 5. Thickness and translucency
 #
+# > **Aims.** Derive the thickness from the shadow map, turn it into light, and say where the assumption fails.
+# > **Before.** Lessons 2 and 4. **Time.** 60 minutes.
+#
 # An ear against the sun glows; so do the fingers of a hand before a torch. The blur cannot do that: the light comes
 # from the other side, far away on the screen. The paper has a second idea for it (2.1): the shadow map knows where
 # the light *entered* the body. From there to the fragment is the **thickness** $d$, and the thicker, the darker.

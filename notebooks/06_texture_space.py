@@ -12,6 +12,9 @@
 # %% [markdown]
 # # 6. Texture space
 #
+# > **Aims.** Shade a model laid out flat, and show what seams and stretched charts do. **Before.** Lesson 4.
+# > **Time.** 50 minutes.
+#
 # The other method of the paper blurs not the picture but the surface itself, spread out flat: "If two points' UV
 # coordinates are close to each other, the points are close to each other on the object. This is of course broken by
 # UV seams" (2.2). We lay the head out, shine on it, and find out what seams and stretching do.

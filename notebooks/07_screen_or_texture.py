@@ -12,6 +12,9 @@
 # %% [markdown]
 # # 7. Screen space against texture space
 #
+# > **Aims.** Measure where each method takes strangers for neighbours, and choose one. **Before.** Lessons 5 and 6.
+# > **Time.** 45 minutes.
+#
 # Both methods take neighbours for neighbours: one on the screen, one on the map. The paper finds that "both methods
 # produce results that look more life-like than plain Phong shading", and that both have an "obvious issue with
 # locality" (4). This notebook puts numbers to it. The same head, light, material and kernel; only the method changes.

@@ -12,6 +12,9 @@
 # %% [markdown]
 # # 8. Why two graphics processors differ
 #
+# > **Aims.** Count in units in the last place, and say what two right processors may disagree on. **Before.** Lesson
+# > 3. **Time.** 50 minutes.
+#
 # The paper's formulas are about real numbers. Shaders compute with `float`, 32 bits, and every operation rounds.
 # Where it rounds, and how often, is partly left to the processor: two of them, both right, give different bits. This
 # notebook measures by how much, so that the next one can tell such differences from mistakes.

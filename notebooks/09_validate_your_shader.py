@@ -12,6 +12,9 @@
 # %% [markdown]
 # # 9. Validate your shader
 #
+# > **Aims.** Find the stage of a shader that is wrong from the buffers it drew, and tell why. **Before.** Lessons 5
+# > and 8. **Time.** 60 minutes.
+#
 # You have written the paper's shaders, and they draw something that looks right. Are they? This notebook plays a
 # graphics processor with one mistake in its shaders, and finds the mistake from nothing but the buffers it drew.
 

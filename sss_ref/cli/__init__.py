@@ -6,6 +6,7 @@ from rich.markup import escape
 from sss_ref.cli.batch_commands import batch, turntable
 from sss_ref.cli.comparing import diff, verify
 from sss_ref.cli.console import BAD_INPUT, err
+from sss_ref.cli.course_commands import course
 from sss_ref.cli.explaining import explain
 from sss_ref.cli.fit_command import fit
 from sss_ref.cli.listing import info, scenes
@@ -43,6 +44,7 @@ for command in (
     validate,
     truth,
     fit,
+    course,
     info,
     scenes,
     warmup,

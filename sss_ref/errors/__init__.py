@@ -31,3 +31,7 @@ class StageError(SssRefError):
 
 class ShaderError(SssRefError):
     """There is no OpenGL, or a shader does not compile, or does not fit its pass."""
+
+
+class CourseError(SssRefError):
+    """A folder of the course cannot be written or read, or the extra `course` is missing."""
