@@ -8,6 +8,16 @@ import pytest
 
 from sss_ref.course import checks
 from sss_ref.language import reflect
+from sss_ref.truth.chandrasekhar import half_space_reflectance
+
+
+def bisected(rising, value):
+    low, high = 0.0, 1 - 1e-9
+    for _ in range(40):
+        middle = (low + high) / 2
+        low, high = (middle, high) if rising(middle) < value else (low, middle)
+    return high
+
 
 RIGHT = {
     checks.distance_of_a_wall: [lambda depth, angle: depth / math.cos(angle)],
@@ -28,6 +38,15 @@ RIGHT = {
     ],
     checks.ulps_between: [lambda a, b: abs(int(a.view(np.int32)) - int(b.view(np.int32)))],
     checks.wrong_stages: [lambda: {"A": "shadow_lookup_nearest", "B": None, "C": "scatter_inside"}],
+    checks.free_path: [
+        lambda chance, extinction: -math.log(chance) / extinction,
+        lambda chance, extinction: -math.log1p(-chance) / extinction,
+    ],
+    checks.photons_needed: [
+        lambda share, relative: (1 - share) / (share * relative**2),
+        lambda share, relative: math.ceil((1 - share) / share / relative**2),
+    ],
+    checks.albedo_of: [lambda reflectance: bisected(half_space_reflectance, reflectance)],
 }
 WRONG = {
     checks.distance_of_a_wall: [
@@ -75,6 +94,24 @@ WRONG = {
         lambda: {"A": "translucency_ratio", "B": None, "C": "scatter_inside"},  # a consequence
         lambda: {"A": "shadow_lookup_nearest", "B": None, "C": None},  # by eye
         lambda: {"A": "shadow_lookup_nearest", "C": "scatter_inside"},
+    ],
+    checks.free_path: [
+        lambda chance, extinction: -math.log(chance),
+        lambda chance, extinction: -math.log(chance) * extinction,
+        lambda chance, extinction: math.log(chance) / extinction,
+        lambda chance, extinction: math.exp(-extinction * chance),
+        lambda chance, extinction: -math.log2(chance) / extinction,
+    ],
+    checks.photons_needed: [
+        lambda share, relative: share * (1 - share) / relative**2,
+        lambda share, relative: (1 - share) / share / relative,
+        lambda share, relative: math.sqrt((1 - share) / share) / relative,
+        lambda share, relative: 0,
+    ],
+    checks.albedo_of: [
+        lambda reflectance: 1 - ((1 - reflectance) / (1 + 2 * reflectance)) ** 2,
+        half_space_reflectance,
+        lambda reflectance: 1.0,
     ],
 }
 

@@ -10,3 +10,4 @@ from sss_ref.course.checks.lesson_6 import texel_that_holds
 from sss_ref.course.checks.lesson_7 import blur_on_the_body
 from sss_ref.course.checks.lesson_8 import ulps_between
 from sss_ref.course.checks.lesson_9 import wrong_stages
+from sss_ref.course.checks.lesson_10 import albedo_of, free_path, photons_needed
