@@ -54,7 +54,7 @@ def judged_scene(name: str, options: argparse.Namespace) -> Counter[str]:
     for stage in stages.values():
         for number, mutant in enumerate(mutants(stage)):
             if number % options.every == 0:
-                own = replace(stage, body=mutant.body)
+                own = stage.with_body(mutant.body)
                 outcome = judged(replace(scene, own_stages={stage.name: own}), oracle, right, stage.name, options)
                 counts[outcome] += 1
                 if outcome not in ("found at its stage", "same bits"):

@@ -8,7 +8,7 @@ callable as plain Python, which is how array code runs them.
 import inspect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, cached_property, update_wrapper
+from functools import cache, cached_property, update_wrapper, wraps
 from typing import Any, TypeVar, cast, get_type_hints
 
 import numpy as np
@@ -128,6 +128,15 @@ class Stage:
         changed = own | kinds
         parameters, outputs = ({name: changed[name] for name in names} for names in (self.parameters, self.outputs))
         return replace(self, body=_body(self.python, (*parameters.items(),), (*outputs.items(),)), outputs=outputs)
+
+    def with_body(self, body: tree.Body) -> "Stage":
+        """A stage of this name and these buffers that computes another body, in every interpreter."""
+        struct = self.result_struct
+
+        def run(*arguments: Any) -> Any:
+            return struct(**run_body(body, dict(zip(body.parameters, arguments, strict=True))))
+
+        return replace(self, python=wraps(self.python)(run), body=body)
 
     def renamed(self, rename: Callable[[str], str]) -> "Stage":
         """The same stage with every name that a pass sees replaced."""

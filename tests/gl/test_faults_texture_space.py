@@ -114,6 +114,6 @@ def test_a_mistake_in_a_function_that_two_stages_call_stays_in_one():
     """`highlight` is wrong in gloss_where_lit alone: its shader has both, the other under a number."""
     oracle = rendered(T)
     wrong = next(mutant for mutant in mutants(gloss_where_lit) if mutant.wrong == "mirrored = dot(to_eye, normal)")
-    own = {"gloss_where_lit": replace(gloss_where_lit, body=wrong.body)}
+    own = {"gloss_where_lit": gloss_where_lit.with_body(wrong.body)}
     found = validate(oracle, draw(replace(oracle.scene, own_stages=own), keep=KEPT), explain=False)
     assert blamed(found.culprit) == ["camera/gloss_where_lit"]

@@ -1,7 +1,6 @@
 import os
 import subprocess
 import sys
-from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -238,7 +237,7 @@ def test_several_lights_share_the_functions_of_their_stages():
 def test_a_function_that_says_something_else_gets_a_number():
     library = Library(GLSL)
     wrong = next(mutant for mutant in mutants(stored_r8) if mutant.inside == "unorm8")
-    for each in (stored_rgb8, replace(stored_r8, body=wrong.body)):
+    for each in (stored_rgb8, stored_r8.with_body(wrong.body)):
         library.stage(each, {})
     lines = library.text.splitlines()
     assert lines.count("float unorm8(float value)") == lines.count("float unorm8_2(float value)") == 1

@@ -71,3 +71,17 @@ def test_another_type_must_fit_the_source():
         larger_half.retyped(chosen=vec2)
     with pytest.raises(StageError, match="has no parameter or output `c` to give another type"):
         larger_half.retyped(c=vec2)
+
+
+def test_a_stage_with_another_body_computes_it_as_plain_python_too():
+    """A stage of the same name whose lines are another's: what is run is what every shader of it says."""
+
+    @stage(source="test")
+    def turned(dividend: float, divisor: float) -> Quotients:
+        """The other way round."""
+        return Quotients(divisor / dividend, dividend / divisor)
+
+    bound = divided.bound(inverse="inverse_lit_2").with_body(turned.body)
+    assert bound.name == "divided" and bound.body is turned.body
+    assert bound.run([np.float32(1.0), np.float32(4.0)]) == {"quotient": 4.0, "inverse_lit_2": 0.25}
+    assert divided(1.0, 4.0) == Quotients(0.25, 4.0)

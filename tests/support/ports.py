@@ -74,7 +74,8 @@ def mistaken(stage, functions):
     """A stage that runs another function, if there is one of its name."""
     if stage.name not in functions:
         return stage
-    return replace(stage, python=wraps(stage.python)(functions[stage.name]))
+    function = functions[stage.name]
+    return replace(stage, python=wraps(stage.python)(lambda *inputs: function(*inputs)))  # which keeps its own name
 
 
 def rounded(value):

@@ -7,7 +7,7 @@ from typing import Any
 
 from sss_ref.language.stage import Stage
 from sss_ref.validation.cause.misreadings import MISREADINGS, Given, Misreading
-from sss_ref.validation.cause.mutants import Mutant, mutants
+from sss_ref.validation.cause.mutants import mutants
 
 
 def stages_instead(stage: Stage, others: Mapping[str, Stage]) -> Iterator[tuple[str, Stage]]:
@@ -28,7 +28,7 @@ def stages_misread(stage: Stage) -> Iterator[tuple[str, Stage]]:
 def stages_mutated(stage: Stage) -> Iterator[tuple[str, Stage]]:
     """A stage with one place of its source changed, in words."""
     for mutant in mutants(stage):
-        yield f"{stage.name}: {mutant.description}", computing(stage, _mutated(stage, mutant))
+        yield f"{stage.name}: {mutant.description}", stage.with_body(mutant.body)
 
 
 def computing(stage: Stage, compute: Callable[..., Any]) -> Stage:
@@ -44,13 +44,5 @@ def _misread(stage: Stage, misreading: Misreading) -> Callable[..., Any]:
         given = dict(zip(stage.parameters, inputs, strict=True))
         results = dict(zip(stage.writes, right(given), strict=True))
         return tuple((results | {misreading.output: misreading.compute(right, given)}).values())
-
-    return compute
-
-
-def _mutated(stage: Stage, mutant: Mutant) -> Callable[..., Any]:
-    def compute(*inputs: Any) -> Any:
-        results = mutant(*inputs)
-        return tuple(results[name] for name in stage.writes.values())
 
     return compute

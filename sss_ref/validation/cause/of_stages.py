@@ -9,6 +9,7 @@ from sss_ref.interpret.work import buffer_value
 from sss_ref.language import Stage
 from sss_ref.language.names import Name
 from sss_ref.language.types import Array, Texture, mat3, mat4, vec3
+from sss_ref.passes.buffers import BUFFERS
 from sss_ref.scene_file.kernels import KERNELS
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.known import stacked
@@ -69,12 +70,13 @@ def other_buffers(sample: Sample, case: Case) -> Tried:
 
 
 def _other_values(sample: Sample, puzzle: Puzzle) -> Tried:
-    """Another value of the pass, of the same type, in the place of one: a point for the point below it."""
+    """Another value of the pass, of the same type and unit, in the place of one: a point for the point below it."""
     there_are = {**puzzle.case.oracle.buffers, **puzzle.case.drawing.buffers}
-    kinds = {name: kind for name, kind in puzzle.drawn.this_pass.outputs.items() if name in there_are}
+    outputs = puzzle.drawn.this_pass.outputs
+    kinds = {name: (kind, BUFFERS[Name.of(name).base].unit) for name, kind in outputs.items() if name in there_are}
     for own, kind in sample.stage.parameters.items():
         name = sample.stage.reads[own]
-        for other in (each for each in kinds if name in kinds and each != name and kinds[each] is kind):
+        for other in (each for each in kinds if name in kinds and each != name and kinds[each] == kinds[name]):
             value = buffer_value(kind, there_are[other], *sample.at)
             yield f"it reads {other} for {name}", sample.fit(sample.with_inputs({own: value}))
 

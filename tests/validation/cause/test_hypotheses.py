@@ -8,9 +8,12 @@ from planted import PLANTED, oracle_of, scene_of
 from planted_newer import NEWER
 from scenes import around, two_slabs, written
 
+from sss_ref import with_stage
+from sss_ref.passes import shadow_map
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.cause.hypothesis import Hypothesis
+from sss_ref.validation.cause.mutants import mutants
 from sss_ref.validation.scope import Scope
 from sss_ref.validation.stage_by_stage import validate
 
@@ -96,6 +99,18 @@ def test_what_makes_right_pixels_wrong_explains_nothing(slabs):
     rows, columns = (axis[:12] for axis in np.nonzero(slabs["triangle"] >= 0))
     lit[rows, columns] = lit[rows, columns].astype(np.float16)
     assert not any("float16" in each for each in validate(slabs, {"lit": lit}).explanations)
+
+
+def test_no_value_of_another_unit_is_tried_in_the_place_of_one():
+    """The light's colour for the normal gives as steep a cosine as a bias that has lost its slope."""
+    sizes = {f"{table}.{axis}": 64 for table in ("camera", "shadow_map") for axis in ("width", "height")}
+    scene = load_scene("figure3_with", preset="robust", **sizes)
+    stage = shadow_map.directly_lit_slope
+    body = next(each.body for each in mutants(stage) if each.wrong == "bias = bias_abs + bias_slope * texel_width")
+    wrong = render(with_stage(scene, stage.name, stage.with_body(body))).buffers
+    found = validate(oracle_of(scene), wrong, explain=Scope(power=False, seconds=300))
+    assert found.culprit.stage == stage.name and "`bias = bias_abs" in found.explanations[0]
+    assert not any(each.endswith("for normal_world") for each in found.explanations)
 
 
 def test_simple_explanations_come_before_mutants_and_whole_ones_before_others():
