@@ -1,6 +1,7 @@
 """The documentation site; `docs/build.sh` builds it, without network and with warnings as errors."""
 
 import inspect
+import os
 import sys
 from importlib.util import find_spec
 from pathlib import Path
@@ -11,6 +12,7 @@ sys.path.insert(0, str(DOCS / "generate"))
 import house_docstrings  # noqa: E402
 import pages  # noqa: E402
 
+from sss_ref.course.frames import WANTED  # noqa: E402
 from sss_ref.rules import RULES_VERSION  # noqa: E402
 
 project = "sss_ref"
@@ -30,7 +32,7 @@ html_theme = "furo"
 html_title = "sss_ref"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
-html_js_files = [("rows.js", {"defer": "defer"})]
+html_js_files = [(name, {"defer": "defer"}) for name in ("rows.js", "sliders.js")]
 html_copy_source = False
 html_show_copyright = False
 html_theme_options = {"top_of_page_buttons": []}
@@ -49,7 +51,8 @@ nb_execution_mode = "cache"
 nb_execution_cache_path = str(DOCS / "_build" / "executed" / pages.what_notebooks_run())
 nb_execution_timeout = 300
 nb_execution_raise_on_error = True
-nb_ipywidgets_js = {}  # no script from the network: where a notebook has sliders, the page shows their picture
+nb_ipywidgets_js = {}  # no script from the network: where a notebook has sliders, the page has pictures to choose from
+os.environ[WANTED] = "1"  # for the notebooks that run
 nb_mime_priority_overrides = [("html", "application/vnd.jupyter.widget-view+json", None)]  # it has a page, too
 nb_merge_streams = True
 

@@ -19,6 +19,7 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Rectangle
 
+from sss_ref.course import frames
 from sss_ref.explanation.explain import Explanation
 from sss_ref.explanation.page import html
 from sss_ref.explanation.rows import sections
@@ -236,7 +237,8 @@ class Sliders:
     """A figure with a slider for each of its parameters, drawn anew while one moves.
 
     draw: called with the parameters by name; gives a figure. ranges: name -> (least, first, greatest value).
-    A notebook shows the sliders where widgets run; where they do not, the figure for the first values, and says so.
+    A notebook shows the sliders where widgets run; where they do not, the figure for the first values, and says so, or
+    sliders over pictures that are drawn beforehand (`sss_ref.course.frames`).
     """
 
     def __init__(self, draw: Callable[..., Figure], **ranges: tuple[float, float, float]) -> None:
@@ -249,17 +251,26 @@ class Sliders:
 
     def redraw(self) -> None:
         """Draw the figure for the values that the sliders have now."""
-        figure = self.draw(**{name: control.value for name, control in self.controls.items()})
-        self.shown.value = png_of(figure)
+        self.shown.value = self.png({name: control.value for name, control in self.controls.items()})
+
+    def png(self, values: Mapping[str, float]) -> bytes:
+        """The figure for these values as the bytes of a PNG file."""
+        return png_of(self.draw(**values))
+
+    def page(self) -> str:
+        """What a page without widgets shows."""
+        if frames.wanted():
+            ranges = {name: (each.min, each.value, each.max, each.step) for name, each in self.controls.items()}
+            return frames.page(self.png, ranges)
+        caption = f"In Jupyter, with sliders for {', '.join(self.controls)}."
+        png = base64.b64encode(self.shown.value).decode()
+        return f'<figure><img src="data:image/png;base64,{png}"><figcaption>{caption}</figcaption></figure>'
 
     def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:
         """The widgets, and for readers without them the picture, as a page and alone."""
         left = Layout(align_items="flex-start")  # or the picture would be stretched
         widgets: dict[str, Any] = VBox([*self.controls.values(), self.shown], layout=left)._repr_mimebundle_(**options)
-        png = base64.b64encode(self.shown.value).decode()
-        caption = f"In Jupyter, with sliders for {', '.join(self.controls)}."
-        page = f'<figure><img src="data:image/png;base64,{png}"><figcaption>{caption}</figcaption></figure>'
-        return widgets | {"text/html": page, "image/png": png}
+        return widgets | {"text/html": self.page(), "image/png": base64.b64encode(self.shown.value).decode()}
 
 
 def png_of(figure: Figure) -> bytes:
