@@ -24,7 +24,7 @@ extensions = [
     "sphinx_copybutton",
     "sphinx_design",
 ]
-exclude_patterns = ["_build", "conf.py", "generate"]
+exclude_patterns = ["_build", "conf.py", "generate", "generated/lessons.md"]
 nitpicky = True
 nitpick_ignore_regex = [("py:.*", "(numpy|np|collections|concurrent|os|pathlib|typing|Path|PathLike|NDArray|Matrix).*")]
 

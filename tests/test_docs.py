@@ -12,6 +12,7 @@ from package_sources import IDS, SOURCES
 from scenes import settings_with
 
 import sss_ref
+from sss_ref.course.lessons import lessons
 from sss_ref.dump.mapping import BufferTable
 from sss_ref.methods.stages import all_stages
 from sss_ref.rules import RULES_VERSION
@@ -24,6 +25,7 @@ DOCS = Path(__file__).parents[1] / "docs"
 sys.path.insert(0, str(DOCS / "generate"))
 
 import house_docstrings  # noqa: E402
+import lesson_pictures  # noqa: E402
 import markup  # noqa: E402
 import pages  # noqa: E402
 
@@ -88,6 +90,14 @@ def test_the_rules_are_those_that_a_rendering_records():
 def test_the_rules_have_the_numbers_of_the_kernel():
     rows = re.findall(r"^\| (-?\d.*) \|$", (DOCS / "rules.md").read_text(), re.MULTILINE)
     assert tuple(tuple(map(float, row.split(" | "))) for row in rows) == HBH09
+
+
+def test_every_lesson_has_a_card_with_a_picture_of_its_own(generated):
+    pictures = {path.stem for path in (DOCS / "images/course").glob("*.jpg")}
+    assert pictures == {*lesson_pictures.TAKEN} == {lesson.name for lesson in lessons()}
+    for lesson in lessons():
+        assert f":link: /generated/course/{lesson.name}\n" in generated["lessons"]
+        assert lesson.plan["aims"] in generated["lessons"]
 
 
 def test_every_command_is_described(generated):

@@ -5,6 +5,7 @@ import shutil
 from pathlib import Path
 
 import command_reference
+import course_cards
 import language_reference
 import mapping_reference
 import rooms
@@ -23,6 +24,7 @@ def texts() -> dict[str, str]:
         "scene_file": scene_reference.page(),
         "mapping_file": mapping_reference.page(),
         "command_line": command_reference.page(),
+        "lessons": course_cards.page(),
         "language": language_reference.page(),
         **stage_reference.pages(),
     }
