@@ -166,6 +166,13 @@ def expressions(body: Body) -> Iterator[Expression]:
     yield from body.result.values.values()
 
 
+def accumulators(body: Body) -> set[str]:
+    """The names that a loop assigns again."""
+    outside = {each.name for each in body.statements if isinstance(each, Assign)}
+    loops = [each for each in body.statements if isinstance(each, Loop)]
+    return outside & {assign.name for loop in loops for assign in loop.block}
+
+
 def with_child(expression: Expression, index: int, child: Expression) -> Expression:
     """An expression with one of its `children` replaced."""
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, get_args, get_origin
 
 from sss_ref.language.types import Array, Texture, Vector, vec2, vec3, vec4
+from sss_ref.language.typing_rules import type_name
 
 ARRAY_WIDTH = 4096  # texels in a row of a texture that holds a long uniform array
 FLOATING = (float, vec2, vec3, vec4)
@@ -16,15 +17,17 @@ OUT = "out_"  # how the name of a fragment shader's output begins; the buffer's 
 class Parts:
     """What a complete shader consists of; `lines` are the statements of its `main`.
 
-    about: its first comment. textures, uniforms: what the application binds, as `type name`. varyings: what goes from
-    vertex to fragment. definitions: constants, structs and functions. mesh: whether it draws the mesh, not a rectangle.
+    about: its first comment. textures, uniforms: what the application binds, name -> type; a texture that holds a long
+    uniform array has the type of that. lengths: of the arrays among the uniforms. varyings: what goes from vertex to
+    fragment. definitions: constants, structs and functions. mesh: whether it draws the mesh, not a rectangle.
     attributes: what a vertex shader reads of its vertex. outputs: what a fragment shader writes, by buffer.
     read: the names that the stages of a fragment shader read.
     """
 
     about: str
-    textures: Sequence[str]
-    uniforms: Sequence[str]
+    textures: Mapping[str, Any]
+    uniforms: Mapping[str, Any]
+    lengths: Mapping[str, int]
     varyings: Mapping[str, Any]
     definitions: str
     lines: Sequence[str]
@@ -50,6 +53,27 @@ def clear_of(reserved: Collection[str], name: str) -> str:
 
 
 @dataclass(frozen=True)
+class Wording:
+    """How a language writes definitions and statements; the defaults are those of C's kin.
+
+    declaration: a variable, parameter or field of a name and a type. array: one of a length. fixed, changing: the
+    statement that gives a variable {declared} its value, once or at first. function: the head of one. field,
+    struct_end: a field of a struct, and its end. loop: the head of one, from {start} to below {stop}. stop: what ends
+    a fragment for which {condition} does not hold.
+    """
+
+    declaration: str = "{type} {name}"
+    array: str = "{type} {name}[{length}]"
+    fixed: str = "{declared} = {value};"
+    changing: str = "{declared} = {value};"
+    function: str = "{result} {name}({parameters})"
+    field: str = "{declared};"
+    struct_end: str = "};"
+    loop: str = "for (int {index} = {start}; {index} < {stop}; {index}++)"
+    stop: str = "if (!({condition})) discard;"
+
+
+@dataclass(frozen=True)
 class Dialect:
     """A shading language.
 
@@ -57,8 +81,9 @@ class Dialect:
     with {0}, {1} for the arguments. texel, element: how a texture, or a long array in one, is read.
     four_channels: whether a texel has four, whatever its texture holds.
     products: type of a matrix m -> its product with the vector v. splat: a vector of type {0}, each component {1}.
-    constant: what stands before a constant. exact: what stands before values whose sums must stay as written; compilers
-    look no further than the function, so that every function says it of its own.
+    written: how definitions and statements are written. constant: what stands before a constant. exact: what stands
+    before values whose sums must stay as written; compilers look no further than the function, so that every function
+    says it of its own. overloads: whether functions of one name may take other types.
     returned: how a function returns a struct. size: the statements that return the size of the texture `map`, where
     `calls` has it not. given: what the GPU tells a vertex ("vertex_number") or fragment ("pixel", "depth", "triangle").
     placed: how a vertex shader hands on the clip position {0}. reserved: the names that nothing of ours may have, words
@@ -86,24 +111,36 @@ class Dialect:
     vertex: "Callable[[Parts, Dialect], str]"
     fragment: "Callable[[Parts, Dialect], str]"
     size: tuple[str, ...] = ()
+    written: Wording = Wording()
+    overloads: bool = True
 
     def name(self, name: str) -> str:
         """The name of a variable or function; one that the language keeps for itself ends in an underscore."""
         return clear_of(self.reserved, name)
 
+    def type(self, kind: Any) -> str:
+        """The name of a type: of a value, a texture, a uniform array that is a texture, or the struct of a stage."""
+        if get_origin(kind) in (Texture, Array):
+            return self.textures[get_args(kind)[0]]
+        return self.types.get(kind) or type_name(kind)
+
     def declared(self, kind: Any, name: str, length: int | None = None) -> str:
-        """`type name`; a uniform array is an array of this length or, without one, a texture."""
+        """A variable with its type; a uniform array is an array of this length or, without one, a texture."""
         if length is not None and get_origin(kind) is Array:
-            return f"{self.types[get_args(kind)[0]]} {self.name(name)}[{length}]"
-        texture = get_origin(kind) in (Texture, Array)
-        return f"{self.textures[get_args(kind)[0]] if texture else self.types[kind]} {self.name(name)}"
+            element = self.types[get_args(kind)[0]]
+            return self.written.array.format(type=element, name=self.name(name), length=length)
+        return self.written.declaration.format(type=self.type(kind), name=self.name(name))
 
     def computed(self, kind: Any, name: str) -> str:
-        """`type name` of a variable whose sums must stay as written, also where they are only compared."""
+        """A variable whose sums must stay as written, also where they are only compared, with its type."""
         return f"{self.exact if kind in (*FLOATING, bool) else ''}{self.declared(kind, name)}"
 
-    def written(self, kind: Any, name: str) -> str:
-        """`type name` of what a fragment shader writes for a buffer; none can write truth values."""
+    def defined(self, kind: Any, name: str, value: str) -> str:
+        """The statement that gives a variable its only value."""
+        return self.written.fixed.format(declared=self.declared(kind, name), value=value)
+
+    def target(self, kind: Any, name: str) -> str:
+        """What a fragment shader writes for a buffer, with its type; none can write truth values."""
         return f"{'uint' if kind is bool else self.types[kind]} {self.out(name)}"
 
     def out(self, buffer: str) -> str:

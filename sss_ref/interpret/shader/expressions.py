@@ -80,7 +80,7 @@ class Expressions:
             case tree.Operation():
                 return self.operation(expression)
             case tree.Element(array=array, index=index):
-                return self.element(array, self.text(index))
+                return self.element(array, index)
             case tree.Call():
                 return self.call(expression)
 
@@ -96,22 +96,29 @@ class Expressions:
             return f"-{self.text(first, ATOM)}", binding
         if first.type in (mat3, mat4):
             return f"{self.definitions.transform(first.type)}({self.listed(expression.operands)})", ATOM
-        symbol = SYMBOLS.get(expression.operator, expression.operator)
-        return f"{self.text(first, binding)} {symbol} {self.text(expression.operands[1], binding + 1)}", binding
+        symbol, second = SYMBOLS.get(expression.operator, expression.operator), expression.operands[1]
+        if expression.operator == "|":
+            return f"{self.side_of_or(first)} {symbol} {self.side_of_or(second)}", binding
+        return f"{self.text(first, binding)} {symbol} {self.text(second, binding + 1)}", binding
 
-    def element(self, array: tree.Variable, index: str) -> tuple[str, int]:
-        """One element of a uniform array."""
+    def side_of_or(self, expression: tree.Expression) -> str:
+        """What stands beside an or: an and in parentheses, without which WGSL takes none."""
+        written, binding = self.written(expression)
+        return f"({written})" if binding in (SELECTION, AND) else written
+
+    def element(self, array: tree.Variable, index: tree.Expression) -> tuple[str, int]:
+        """One element of a uniform array; in a texture its index is divided."""
         name, (kind,) = self.dialect.name(array.name), get_args(array.type)
         if array.name in self.lengths:
-            return f"{name}[{index}]", ATOM
-        return self.dialect.looked_up(kind, name, index), LOADED.get(kind, ATOM)
+            return f"{name}[{self.text(index)}]", ATOM
+        return self.dialect.looked_up(kind, name, self.text(index, PRODUCT)), LOADED.get(kind, ATOM)
 
     def call(self, expression: tree.Call) -> tuple[str, int]:
         """A primitive as the dialect has it; a function of the language by the name of its definition."""
         name, arguments = expression.callee.name, expression.arguments
         if expression.body is not None:
             return f"{self.definitions.function(expression, self.lengths)}({self.listed(arguments)})", ATOM
-        if name == "select":
+        if name == "select" and "select" not in self.dialect.calls:
             condition, if_true, if_false = arguments
             sides = f"{self.widened(if_true, expression, OR)} : {self.widened(if_false, expression)}"
             return f"{self.text(condition, OR)} ? {sides}", SELECTION

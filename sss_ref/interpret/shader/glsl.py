@@ -28,7 +28,7 @@ def fragment(parts: Parts, dialect: Dialect) -> str:
     varyings = [f"in {dialect.declared(kind, name)};" for name, kind in parts.varyings.items() if name in parts.read]
     number = [f"flat in int {TRIANGLE};"] if parts.mesh and _numbers_triangles(dialect) else []
     written = [
-        f"{'' if kind in (bool, int) else dialect.exact}layout(location = {k}) out {dialect.written(kind, name)};"
+        f"{'' if kind in (bool, int) else dialect.exact}layout(location = {k}) out {dialect.target(kind, name)};"
         for k, (name, kind) in enumerate(parts.outputs.items())
     ]
     return _shader(parts, dialect, varyings + number, written)
@@ -39,7 +39,8 @@ def _numbers_triangles(dialect: Dialect) -> bool:
 
 
 def _shader(parts: Parts, dialect: Dialect, inputs: list[str], outputs: list[str]) -> str:
-    uniforms = [f"uniform {declared};" for declared in (*parts.textures, *parts.uniforms)]
+    given = {**parts.textures, **parts.uniforms}
+    uniforms = [f"uniform {dialect.declared(kind, name, parts.lengths.get(name))};" for name, kind in given.items()]
     head = [*dialect.head, *comment(parts.about)]
     return joined([head, inputs, uniforms, outputs, parts.definitions.splitlines(), braced("void main()", parts.lines)])
 

@@ -27,7 +27,7 @@ def fragment(parts: Parts, dialect: Dialect) -> str:
     """A complete pixel shader; it names all that the vertex shader hands on, in that order, as Direct3D wants it."""
     window, primitive = [f"float4 {WINDOW} : SV_Position"], [f"uint {PRIMITIVE} : SV_PrimitiveID"] * parts.mesh
     written = [
-        f"out {'' if kind in (bool, int) else dialect.exact}{dialect.written(kind, name)} : SV_Target{k}"
+        f"out {'' if kind in (bool, int) else dialect.exact}{dialect.target(kind, name)} : SV_Target{k}"
         for k, (name, kind) in enumerate(parts.outputs.items())
     ]
     return _shader(parts, dialect, [*window, *_varyings(parts, dialect, ""), *primitive, *written])
@@ -40,8 +40,11 @@ def _varyings(parts: Parts, dialect: Dialect, before: str) -> list[str]:
 
 
 def _shader(parts: Parts, dialect: Dialect, parameters: list[str]) -> str:
-    textures = [f"{declared};" for declared in parts.textures]
-    uniforms = [f"{'row_major ' * ('x' in each.split()[0])}{each};" for each in parts.uniforms]
+    textures = [f"{dialect.declared(kind, name)};" for name, kind in parts.textures.items()]
+    uniforms = [
+        f"{'row_major ' * (kind in (mat3, mat4))}{dialect.declared(kind, name, parts.lengths.get(name))};"
+        for name, kind in parts.uniforms.items()
+    ]
     constants = braced("cbuffer Uniforms", uniforms, end="};") if uniforms else []
     ends = ["," for _ in parameters[1:]] + [""]
     listed = indented([parameter + end for parameter, end in zip(parameters, ends, strict=True)])

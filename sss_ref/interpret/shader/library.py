@@ -51,14 +51,19 @@ class Library:
 
     def extreme(self, name: str, kind: Any) -> str:
         """The name of min or max for two values of a type; that of vectors works on their components."""
-        result, written = EXTREMES[name], self.dialect.name(name)
+        result, written = EXTREMES[name], self._of_type(name, kind)
         if isinstance(kind, type) and issubclass(kind, Vector):
             self.extreme(name, element_type(kind))
-            each = ", ".join(f"{written}(x.{letter}, y.{letter})" for letter in "xyzw"[: kind.count])
+            one = self._of_type(name, element_type(kind))
+            each = ", ".join(f"{one}(x.{letter}, y.{letter})" for letter in "xyzw"[: kind.count])
             result = f"{self.dialect.types[kind]}({each})"
         head = self._signature(kind, written, {"x": kind, "y": kind})
         self._define((name, kind), f"{EXTREMES[name]} (rule A1)", head, [f"return {result};"])
         return written
+
+    def _of_type(self, name: str, kind: Any) -> str:
+        """The name of a function for values of a type: the same for all types where the language tells them apart."""
+        return self.dialect.name(name if self.dialect.overloads else f"{name}_{type_name(kind)}")
 
     def texture_size(self, texture: Any) -> str:
         """The name of what gives the size of a texture of a type."""
@@ -69,11 +74,13 @@ class Library:
     def transform(self, matrix: Any) -> str:
         """The name of the product of a matrix and a vector."""
         vector = vec3 if matrix is mat3 else vec4
-        head = self._signature(vector, "transform", {"m": matrix, "v": vector})
+        name = self._of_type("transform", matrix)
+        head = self._signature(vector, name, {"m": matrix, "v": vector})
         doc = "Matrix times vector, each row summed in this order (rule A3)."
-        lines = [f"{self.dialect.computed(vector, 'result')} = {self.dialect.products[matrix]};", "return result;"]
+        declared, product = self.dialect.computed(vector, "result"), self.dialect.products[matrix]
+        lines = [self.dialect.written.fixed.format(declared=declared, value=product), "return result;"]
         self._define(("transform", matrix), doc, head, lines)
-        return "transform"
+        return name
 
     def function(self, call: tree.Call, lengths: Mapping[str, int]) -> str:
         """The name of a function of the language for the types of a call; lengths: those of the caller's arrays.
@@ -84,8 +91,8 @@ class Library:
         assert isinstance(callee, Function) and body is not None
         given = zip(body.parameters, call.arguments, strict=True)
         own = {name: lengths[a.name] for name, a in given if isinstance(a, tree.Variable) and a.name in lengths}
-        first = self.dialect.name(callee.name + texel_suffix(callee, body))
-        kinds = (*body.parameters.values(), *own.items())
+        first = self.dialect.name(callee.name + generic_suffix(callee, body, self.dialect.overloads))
+        kinds = (*body.parameters.values(), *own.items()) if self.dialect.overloads else ()
         doc, lines = inspect.getdoc(callee.python), self._body(body, own)
 
         def is_defined(name: str) -> bool:
@@ -97,8 +104,9 @@ class Library:
         """Define a stage; lengths: uniform array, as the pass names it -> its length (of others: a texture)."""
         arrays = {own: stage.reads[own] for own, kind in stage.parameters.items() if get_origin(kind) is Array}
         struct = stage.result_struct
-        fields = [f"{self.dialect.declared(kind, name)};" for name, kind in stage.outputs.items()]
-        self._define(struct, inspect.getdoc(struct), f"struct {struct.__name__}", fields, end="};")
+        written, declared = self.dialect.written, self.dialect.declared
+        fields = [written.field.format(declared=declared(kind, name)) for name, kind in stage.outputs.items()]
+        self._define(struct, inspect.getdoc(struct), f"struct {struct.__name__}", fields, end=written.struct_end)
         own = {name: lengths[read] for name, read in arrays.items() if read in lengths}
         head = self._signature(struct, self.dialect.name(stage.name), stage.parameters, own)
         doc = f"{stage.description}\nSource: {stage.source}."
@@ -112,19 +120,19 @@ class Library:
     def _signature(
         self, result: Any, name: str, parameters: Mapping[str, Any], lengths: Mapping[str, int] | None = None
     ) -> str:
-        """`type name(type parameter, ...)`."""
+        """The head of a function: in C's kin `type name(type parameter, ...)`."""
         known = lengths or {}
-        listed = [self.dialect.declared(kind, own, known.get(own)) for own, kind in parameters.items()]
-        return f"{self.dialect.types.get(result, type_name(result))} {name}({', '.join(listed)})"
+        listed = ", ".join(self.dialect.declared(kind, own, known.get(own)) for own, kind in parameters.items())
+        return self.dialect.written.function.format(result=self.dialect.type(result), name=name, parameters=listed)
 
     def _body(self, body: tree.Body, lengths: Mapping[str, int], struct: str = "") -> list[str]:
         """The statements of a body; `struct`: what it returns, if not a single value."""
-        expressions = Expressions(self, lengths)
+        expressions, changing = Expressions(self, lengths), tree.accumulators(body)
         known = set(body.parameters)
         lines: list[str] = []
         for statement in body.statements:
             if isinstance(statement, tree.Assign):
-                lines.append(self._assign(statement, known, expressions))
+                lines.append(self._assign(statement, known, expressions, statement.name in changing))
             else:
                 lines += self._loop(statement, known, expressions)
         values = [
@@ -143,22 +151,23 @@ class Library:
             return text
         name = next(name for name in _numbered(own) if name not in known)
         known.add(name)
-        lines.append(f"{self.dialect.computed(value.type, name)} = {text};")
+        lines.append(self.dialect.written.fixed.format(declared=self.dialect.computed(value.type, name), value=text))
         return self.dialect.name(name)
 
-    def _assign(self, statement: tree.Assign, known: set[str], expressions: Expressions) -> str:
-        """`type name = value;`, without the type where an accumulator is assigned again."""
+    def _assign(self, statement: tree.Assign, known: set[str], expressions: Expressions, changes: bool = False) -> str:
+        """`type name = value;`, without the type where an accumulator is assigned again; changes: whether it is one."""
         text = expressions.text(statement.value)
         if statement.name in known:
             return f"{self.dialect.name(statement.name)} = {text};"
         known.add(statement.name)
-        return f"{local(self.dialect, statement.name, statement.value)} = {text};"
+        form = self.dialect.written.changing if changes else self.dialect.written.fixed
+        return form.format(declared=local(self.dialect, statement.name, statement.value), value=text)
 
     def _loop(self, statement: tree.Loop, known: set[str], expressions: Expressions) -> list[str]:
         """The loop; what is new in its block is unknown after it."""
         index, inside = self.dialect.name(statement.index), set(known)
         start, stop = expressions.text(statement.start), expressions.text(statement.stop, SUM)
-        head = f"for (int {index} = {start}; {index} < {stop}; {index}++)"
+        head = self.dialect.written.loop.format(index=index, start=start, stop=stop)
         block = [self._assign(assign, inside, expressions) for assign in statement.block]
         return braced(head, block)
 
@@ -181,10 +190,15 @@ def _numbered(name: str) -> Iterator[str]:
     yield from (f"{name}_{k}" for k in count(2))
 
 
-def texel_suffix(callee: Function, body: tree.Body) -> str:
-    """What tells apart the forms of a function that is generic in what a texture holds: their parameters may not."""
+def generic_suffix(callee: Function, body: tree.Body, overloads: bool) -> str:
+    """What tells apart the forms of a function that is generic in what a texture holds: their parameters may not.
+
+    overloads: whether they may where the function is generic in a parameter's own type.
+    """
     for name, kind in body.parameters.items():
         hint = get_type_hints(callee.python)[name]
         if get_origin(hint) is Texture and isinstance(get_args(hint)[0], TypeVar):
             return f"_{type_name(get_args(kind)[0])}"
+        if isinstance(hint, TypeVar) and not overloads:
+            return f"_{type_name(kind)}"
     return ""

@@ -58,14 +58,15 @@ def vertex_shader(this_pass: Pass, lengths: Mapping[str, int], dialect: Dialect 
     about = f"Vertex shader of pass {this_pass.name}, from the stages of sss_ref."
     mesh, library = this_pass.draw, Library(dialect)
     if not mesh.vertex_stages:
-        return dialect.vertex(Parts(about, [], [], {}, "", _rectangle(dialect), mesh=False), dialect)
+        return dialect.vertex(Parts(about, {}, {}, {}, {}, "", _rectangle(dialect), mesh=False), dialect)
     (stage,) = mesh.vertex_stages
     library.stage(stage, lengths)
     reads = Reads.of((stage,), MESH_ATTRIBUTES, ())
     parts = Parts(
         about=about,
-        textures=reads.declared_textures(lengths, dialect),
-        uniforms=reads.declared_uniforms(lengths, dialect),
+        textures=reads.all_textures(lengths),
+        uniforms=reads.values(lengths),
+        lengths=lengths,
         varyings=mesh.varyings,
         definitions=library.text,
         lines=_vertex_lines(stage, dialect),
@@ -94,8 +95,9 @@ def fragment_shader(
     reads.textures |= dict.fromkeys(_stencil(this_pass), bool)
     parts = Parts(
         about=f"Fragment shader of pass {this_pass.name}, from the stages of sss_ref. Writes {', '.join(outputs)}.",
-        textures=reads.declared_textures(lengths, dialect),
-        uniforms=reads.declared_uniforms(lengths, dialect),
+        textures=reads.all_textures(lengths),
+        uniforms=reads.values(lengths),
+        lengths=lengths,
         varyings=this_pass.draw.varyings,
         definitions=library.text,
         lines=_fragment_lines(this_pass, outputs, reads, dialect),
@@ -109,14 +111,15 @@ def fragment_shader(
 def _rectangle(dialect: Dialect) -> list[str]:
     """The whole target, as the four corners of a triangle strip."""
     number, pair, place = dialect.given["vertex_number"], dialect.types[vec2], dialect.types[vec4]
-    corner = f"{pair} corner = {pair}({number} & 1, {number} >> 1);"
+    x, y = (dialect.calls["float32"].format(f"{number} {part}") for part in ("& 1", ">> 1"))
+    corner = dialect.defined(vec2, "corner", f"{pair}({x}, {y})")
     return [corner, *(line.format(f"{place}(corner * 2.0 - 1.0, 0.0, 1.0)") for line in dialect.placed)]
 
 
 def _vertex_lines(stage: Stage, dialect: Dialect) -> list[str]:
     """The call of a vertex stage; its results become the varyings and the clip position."""
     call = f"{dialect.name(stage.name)}({', '.join(map(dialect.name, stage.reads.values()))})"
-    lines = [f"{stage.result_struct.__name__} vertex = {call};"]
+    lines = [dialect.defined(stage.result_struct, "vertex", call)]
     for own, name in stage.writes.items():
         value = f"vertex.{dialect.name(own)}"
         varying = [f"{dialect.name(name)} = {value};"]
@@ -130,8 +133,8 @@ def _fragment_lines(this_pass: Pass, outputs: Collection[str], reads: Reads, dia
     at_pixel = stencil or reads.here or PIXEL in read
     used = read | set(outputs)
     return [
-        *([f"{dialect.declared(ivec2, PIXEL)} = {dialect.given[PIXEL]};"] if at_pixel else []),
-        *(f"if (!({dialect.fetched(bool, dialect.name(name), PIXEL)})) discard;" for name in stencil),
+        *([dialect.defined(ivec2, PIXEL, dialect.given[PIXEL])] if at_pixel else []),
+        *(dialect.written.stop.format(condition=dialect.fetched(bool, dialect.name(n), PIXEL)) for n in stencil),
         *reads.fetches(dialect),
         *_rasterized(this_pass, used, dialect),
         *(line for stage in this_pass.stages for line in _call(stage, reads, used, dialect)),
@@ -149,7 +152,7 @@ def _rasterized(this_pass: Pass, used: set[str], dialect: Dialect) -> list[str]:
     given = {**dialect.given, "coverage": "true"}
     values = {this_pass.draw.triangle: "triangle", this_pass.draw.depth: "depth", this_pass.draw.coverage: "coverage"}
     kinds = this_pass.draw.outputs.items()
-    return [f"{dialect.declared(kind, name)} = {given[values[name]]};" for name, kind in kinds if name in used]
+    return [dialect.defined(kind, name, given[values[name]]) for name, kind in kinds if name in used]
 
 
 def _call(stage: Stage, reads: Reads, used: set[str], dialect: Dialect) -> list[str]:
@@ -159,14 +162,13 @@ def _call(stage: Stage, reads: Reads, used: set[str], dialect: Dialect) -> list[
     wanted = {own: name for own, name in stage.writes.items() if name in used}
     if len(wanted) == 1:
         ((own, name),) = wanted.items()
-        return [f"{dialect.declared(stage.outputs[own], name)} = {call}.{dialect.name(own)};"]
+        return [dialect.defined(stage.outputs[own], name, f"{call}.{dialect.name(own)}")]
     own, first = next((own, Name.of(name)) for own, name in stage.writes.items())
     called = stage.name if first.base == own else first.base  # a pass may have a stage twice, bound to other names
-    result = dialect.name(str(replace(first, base=f"{called}_result")))  # numbered as its values are
-    taken = [
-        f"{dialect.declared(stage.outputs[own], name)} = {result}.{dialect.name(own)};" for own, name in wanted.items()
-    ]
-    return [f"{stage.result_struct.__name__} {result} = {call};", *taken]
+    whole = str(replace(first, base=f"{called}_result"))  # numbered as its values are
+    result = dialect.name(whole)
+    taken = [dialect.defined(stage.outputs[own], name, f"{result}.{dialect.name(own)}") for own, name in wanted.items()]
+    return [dialect.defined(stage.result_struct, whole, call), *taken]
 
 
 def _stored(kind: Any, value: str) -> str:

@@ -32,15 +32,14 @@ class Reads:
                 reads.uniforms[name] = kind
         return reads
 
-    def declared_textures(self, lengths: Mapping[str, int], dialect: Dialect) -> list[str]:
-        """The textures, each as `type name`; lengths: uniform array -> its length (of others: a texture)."""
-        buffers = [f"{dialect.textures[kind]} {dialect.name(name)}" for name, kind in self.textures.items()]
-        return buffers + [dialect.declared(kind, name) for name, kind in self._arrays(lengths).items()]
+    def all_textures(self, lengths: Mapping[str, int]) -> dict[str, Any]:
+        """Name -> type of the textures; lengths: uniform array -> its length (of others: a texture)."""
+        return {name: Texture[kind] for name, kind in self.textures.items()} | self._arrays(lengths)
 
-    def declared_uniforms(self, lengths: Mapping[str, int], dialect: Dialect) -> list[str]:
-        """The uniforms that are no textures, each as `type name`."""
-        values = {name: kind for name, kind in self.uniforms.items() if name not in self._arrays(lengths)}
-        return [dialect.declared(kind, name, lengths.get(name)) for name, kind in values.items()]
+    def values(self, lengths: Mapping[str, int]) -> dict[str, Any]:
+        """Name -> type of the uniforms that are no textures."""
+        arrays = self._arrays(lengths)
+        return {name: kind for name, kind in self.uniforms.items() if name not in arrays}
 
     def _arrays(self, lengths: Mapping[str, int]) -> dict[str, Any]:
         """The uniform arrays that are textures."""
@@ -49,7 +48,7 @@ class Reads:
     def fetches(self, dialect: Dialect) -> list[str]:
         """The lines that give the buffers' values at the pixel itself a name."""
         return [
-            f"{dialect.declared(kind, f'{name}_here')} = {dialect.fetched(kind, dialect.name(name), PIXEL)};"
+            dialect.defined(kind, f"{name}_here", dialect.fetched(kind, dialect.name(name), PIXEL))
             for name, kind in self.here.items()
         ]
 
