@@ -25,7 +25,8 @@ def glsl(
         Path | None, Parameter(alias="-o", help="A folder for the shaders of all passes.", show_default=False)
     ] = None,
     dialect: Annotated[
-        Literal["glsl", "essl", "hlsl"], Parameter(help="Of OpenGL, of WebGL 2 and OpenGL ES 3, or of Direct3D.")
+        Literal["glsl", "essl", "hlsl", "wgsl"],
+        Parameter(help="Of OpenGL, of WebGL 2 and OpenGL ES 3, of Direct3D, or of WebGPU."),
     ] = "glsl",
     registers: Annotated[
         bool, Parameter(negative="", help="Let the shaders also write what no buffer holds, so that it can be judged.")
@@ -37,7 +38,7 @@ def glsl(
     from sss_ref.scene.load import load_scene
 
     loaded = load_scene(scene, **changes.overrides())
-    method, lengths = loaded.method, array_lengths(loaded.uniforms)
+    method, lengths = loaded.method, array_lengths(loaded.uniforms, DIALECTS[dialect])
     files = shader_files(method, lengths, DIALECTS[dialect], registers) if all or output else {}
     if output is not None:
         _write(output, files)

@@ -86,7 +86,7 @@ def _draws(this_pass: Pass, wanted: Collection[str], buffers: Collection[str], s
             "fragment": fragment_shader(this_pass, buffers, outputs, lengths, ESSL),
             "outputs": [_output(output, this_pass.values[output], scene.clear(output)) for output in outputs],
         }
-        for name, outputs in draws(this_pass, wanted, ESSL.most_outputs).items()
+        for name, outputs in draws(this_pass, wanted, ESSL).items()
     ]
 
 

@@ -10,6 +10,7 @@ from sss_ref.language.typing_rules import type_name
 
 ARRAY_WIDTH = 4096  # texels in a row of a texture that holds a long uniform array
 FLOATING = (float, vec2, vec3, vec4)
+TARGET_BYTES = {float: 4, int: 4, bool: 4, vec2: 8, vec3: 16, vec4: 16}  # of a pixel; a byte begins where 4 may
 OUT = "out_"  # how the name of a fragment shader's output begins; the buffer's name follows
 
 
@@ -59,7 +60,7 @@ class Wording:
     declaration: a variable, parameter or field of a name and a type. array: one of a length. fixed, changing: the
     statement that gives a variable {declared} its value, once or at first. function: the head of one. field,
     struct_end: a field of a struct, and its end. loop: the head of one, from {start} to below {stop}. stop: what ends
-    a fragment for which {condition} does not hold.
+    a fragment for which {condition} does not hold. handed: how a shader sets one of its outputs.
     """
 
     declaration: str = "{type} {name}"
@@ -71,6 +72,7 @@ class Wording:
     struct_end: str = "};"
     loop: str = "for (int {index} = {start}; {index} < {stop}; {index}++)"
     stop: str = "if (!({condition})) discard;"
+    handed: str = "{name} = {value};"
 
 
 @dataclass(frozen=True)
@@ -89,7 +91,9 @@ class Dialect:
     placed: how a vertex shader hands on the clip position {0}. reserved: the names that nothing of ours may have, words
     and built-in functions: some compilers let nobody define those anew, and none lets them stand beside a uniform of
     that name. most_outputs: colour attachments that every implementation has. head: the first lines of a shader.
-    vertex, fragment: what lays out a complete shader.
+    vertex, fragment: what lays out a complete shader. targets: of types that no target holds, the one that it holds in
+    their place, and how a value becomes one. most_bytes: of all targets of a draw together, of each pixel.
+    longest_array: elements of a uniform array; OpenGL 3.3 promises room for 1024 numbers in all.
     """
 
     types: Mapping[Any, str]
@@ -113,6 +117,9 @@ class Dialect:
     size: tuple[str, ...] = ()
     written: Wording = Wording()
     overloads: bool = True
+    targets: Mapping[Any, tuple[str, str]] = field(default_factory=lambda: {bool: ("uint", "uint({0})")})
+    most_bytes: int | None = None
+    longest_array: int = 64
 
     def name(self, name: str) -> str:
         """The name of a variable or function; one that the language keeps for itself ends in an underscore."""
@@ -140,8 +147,19 @@ class Dialect:
         return self.written.fixed.format(declared=self.declared(kind, name), value=value)
 
     def target(self, kind: Any, name: str) -> str:
-        """What a fragment shader writes for a buffer, with its type; none can write truth values."""
-        return f"{'uint' if kind is bool else self.types[kind]} {self.out(name)}"
+        """What a fragment shader writes for a buffer, with its type."""
+        stored = self.targets[kind][0] if kind in self.targets else self.types[kind]
+        return self.written.declaration.format(type=stored, name=self.out(name))
+
+    def stored(self, kind: Any, name: str) -> str:
+        """The statement that writes a buffer."""
+        form = self.targets[kind][1] if kind in self.targets else "{0}"
+        return self.written.handed.format(name=self.out(name), value=form.format(self.name(name)))
+
+    def has_room(self, kinds: Sequence[Any]) -> bool:
+        """Whether a draw can fill targets of these types at once."""
+        few_bytes = self.most_bytes is None or sum(TARGET_BYTES[kind] for kind in kinds) <= self.most_bytes
+        return len(kinds) <= self.most_outputs and few_bytes
 
     def out(self, buffer: str) -> str:
         """The name of what a fragment shader writes for a buffer."""

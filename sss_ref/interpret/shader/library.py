@@ -14,7 +14,8 @@ from sss_ref.language.stage import Function, Stage
 from sss_ref.language.types import Array, Texture, Vector, ivec2, mat3, vec3, vec4
 from sss_ref.language.typing_rules import element_type, type_name
 
-EXTREMES = {"min": "y < x ? y : x", "max": "x < y ? y : x"}  # rule A1
+EXTREMES = {"min": ("y < x", "y", "x"), "max": ("x < y", "y", "x")}  # condition, value if so, else: rule A1
+CHOICE = "{0} ? {1} : {2}"  # of C's kin
 
 
 def stage_source(stage: Stage, lengths: Mapping[str, int], dialect: Dialect = GLSL) -> str:
@@ -51,14 +52,15 @@ class Library:
 
     def extreme(self, name: str, kind: Any) -> str:
         """The name of min or max for two values of a type; that of vectors works on their components."""
-        result, written = EXTREMES[name], self._of_type(name, kind)
+        written, meaning = self._of_type(name, kind), CHOICE.format(*EXTREMES[name])
+        result = self.dialect.calls.get("select", CHOICE).format(*EXTREMES[name])
         if isinstance(kind, type) and issubclass(kind, Vector):
             self.extreme(name, element_type(kind))
             one = self._of_type(name, element_type(kind))
             each = ", ".join(f"{one}(x.{letter}, y.{letter})" for letter in "xyzw"[: kind.count])
             result = f"{self.dialect.types[kind]}({each})"
         head = self._signature(kind, written, {"x": kind, "y": kind})
-        self._define((name, kind), f"{EXTREMES[name]} (rule A1)", head, [f"return {result};"])
+        self._define((name, kind), f"{meaning} (rule A1)", head, [f"return {result};"])
         return written
 
     def _of_type(self, name: str, kind: Any) -> str:

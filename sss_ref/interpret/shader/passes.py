@@ -15,17 +15,20 @@ from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL, Met
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import ivec2, vec2, vec4
 
-LONGEST_ARRAY = 64  # elements; OpenGL 3.3 promises room for 1024 numbers in all
 
-
-def draws(this_pass: Pass, wanted: Collection[str], most: int = GLSL.most_outputs) -> dict[str, tuple[str, ...]]:
-    """The draws that fill the wanted buffers of a pass: name -> at most `most` buffers, in order.
+def draws(this_pass: Pass, wanted: Collection[str], dialect: Dialect = GLSL) -> dict[str, tuple[str, ...]]:
+    """The draws that fill the wanted buffers of a pass: name -> as many buffers as the dialect has room for, in order.
 
     A draw has the name of its pass. Where there are several, each computes all that its own buffers need, and their
     names end in a number: camera_1, camera_2 ...
     """
-    names = [name for name in this_pass.values if name in wanted]
-    parts = [tuple(names[first : first + most]) for first in range(0, len(names), most)]
+    parts: list[tuple[str, ...]] = []
+    for name in (name for name in this_pass.values if name in wanted):
+        longer = (*parts[-1], name) if parts else (name,)
+        if parts and dialect.has_room([this_pass.values[each] for each in longer]):
+            parts[-1] = longer
+        else:
+            parts.append((name,))
     return {f"{this_pass.name}_{k}" if len(parts) > 1 else this_pass.name: part for k, part in enumerate(parts, 1)}
 
 
@@ -42,15 +45,16 @@ def shader_files(
     for this_pass in method.passes:
         files[f"{this_pass.name}.vert"] = vertex_shader(this_pass, lengths, dialect)
         wanted = this_pass.values if registers else this_pass.outputs
-        for name, outputs in draws(this_pass, wanted, dialect.most_outputs).items():
+        for name, outputs in draws(this_pass, wanted, dialect).items():
             files[f"{name}.frag"] = fragment_shader(this_pass, there, outputs, lengths, dialect)
         there |= set(this_pass.outputs)
     return files
 
 
-def array_lengths(uniforms: Mapping[str, Any]) -> dict[str, int]:
+def array_lengths(uniforms: Mapping[str, Any], dialect: Dialect = GLSL) -> dict[str, int]:
     """The lengths of those arrays among `uniforms` that are short enough for a shader; longer ones become textures."""
-    return {name: len(value) for name, value in uniforms.items() if np.ndim(value) and len(value) <= LONGEST_ARRAY}
+    longest = dialect.longest_array
+    return {name: len(value) for name, value in uniforms.items() if np.ndim(value) and len(value) <= longest}
 
 
 def vertex_shader(this_pass: Pass, lengths: Mapping[str, int], dialect: Dialect = GLSL) -> str:
@@ -122,7 +126,7 @@ def _vertex_lines(stage: Stage, dialect: Dialect) -> list[str]:
     lines = [dialect.defined(stage.result_struct, "vertex", call)]
     for own, name in stage.writes.items():
         value = f"vertex.{dialect.name(own)}"
-        varying = [f"{dialect.name(name)} = {value};"]
+        varying = [dialect.written.handed.format(name=dialect.name(name), value=value)]
         lines += [line.format(value) for line in dialect.placed] if own == CLIP_POSITION else varying
     return lines
 
@@ -138,7 +142,7 @@ def _fragment_lines(this_pass: Pass, outputs: Collection[str], reads: Reads, dia
         *reads.fetches(dialect),
         *_rasterized(this_pass, used, dialect),
         *(line for stage in this_pass.stages for line in _call(stage, reads, used, dialect)),
-        *(f"{dialect.out(name)} = {_stored(this_pass.values[name], dialect.name(name))};" for name in outputs),
+        *(dialect.stored(this_pass.values[name], name) for name in outputs),
     ]
 
 
@@ -169,7 +173,3 @@ def _call(stage: Stage, reads: Reads, used: set[str], dialect: Dialect) -> list[
     result = dialect.name(whole)
     taken = [dialect.defined(stage.outputs[own], name, f"{result}.{dialect.name(own)}") for own, name in wanted.items()]
     return [dialect.defined(stage.result_struct, whole, call), *taken]
-
-
-def _stored(kind: Any, value: str) -> str:
-    return f"uint({value})" if kind is bool else value

@@ -94,3 +94,11 @@ WGSL_WORDS = (
     | _families("vec", [*SIZES, *(size + kind for size in SIZES for kind in "fhiu")])
     | _families("mat", [*SHAPES, *(shape + kind for shape in SHAPES for kind in "fh")])
 )
+WGSL_BUILT_INS = _words("""
+abs acos acosh all any arrayLength asin asinh atan atan2 atanh bitcast ceil clamp cos cosh countLeadingZeros
+countOneBits countTrailingZeros cross degrees determinant distance dot dpdx dpdxCoarse dpdxFine dpdy dpdyCoarse
+dpdyFine exp exp2 extractBits faceForward firstLeadingBit firstTrailingBit floor fma fract frexp fwidth fwidthCoarse
+fwidthFine insertBits inverseSqrt ldexp length log log2 max min mix modf normalize outerProduct pow quantizeToF16
+radians reflect refract reverseBits round saturate select sign sin sinh smoothstep sqrt step tan tanh textureDimensions
+textureGather textureLoad textureSample textureSampleLevel transpose trunc
+""")

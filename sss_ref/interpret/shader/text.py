@@ -1,10 +1,12 @@
 """Lines of source: indented, folded, commented."""
 
+import re
 import textwrap
 from collections.abc import Sequence
 
 INDENT = "    "
 LINE_LENGTH = 120
+TYPED, UNBROKEN = re.compile(r"(?<=\w): "), "\xa0"  # a name and its type stay together
 
 
 def indented(lines: Sequence[str]) -> list[str]:
@@ -24,7 +26,9 @@ def folded(text: str) -> str:
 
 def _folded_line(line: str) -> list[str]:
     further = line[: len(line) - len(line.lstrip())] + 2 * INDENT
-    return textwrap.wrap(line, LINE_LENGTH, subsequent_indent=further, break_long_words=False, break_on_hyphens=False)
+    kept = TYPED.sub(f":{UNBROKEN}", line)
+    parts = textwrap.wrap(kept, LINE_LENGTH, subsequent_indent=further, break_long_words=False, break_on_hyphens=False)
+    return [part.replace(UNBROKEN, " ") for part in parts]
 
 
 def comment(text: str) -> list[str]:
