@@ -14,11 +14,11 @@ def test_a_stage_is_printed_with_what_it_uses(capsys):
     assert capsys.readouterr().out == stage_source(translucency_beer, {}) + "\n"
 
 
-@pytest.mark.parametrize("dialect", ["essl", "hlsl"])
+@pytest.mark.parametrize("dialect", ["essl", "hlsl", "wgsl"])
 def test_other_dialects(dialect, tmp_path, capsys):
     assert main(["glsl", "phong_shading", "--dialect", dialect, "-o", str(tmp_path)]) == 0
     loaded = load_scene("default")
-    method, lengths = loaded.method, array_lengths(loaded.uniforms)
+    method, lengths = loaded.method, array_lengths(loaded.uniforms, DIALECTS[dialect])
     files = shader_files(method, lengths, DIALECTS[dialect])
     assert {path.name: path.read_text() for path in tmp_path.iterdir()} == files
     assert stage_source(phong_shading, lengths, DIALECTS[dialect]) in capsys.readouterr().out

@@ -37,7 +37,7 @@ ROOMS = [  # from the ground up: whoever stands higher imports from those below
         "bundle",
         "validation",
     ),
-    *("gl", "webgl", "viewer", "course", "cli", "pytest_plugin"),
+    *("gl", "webgl", "webgpu", "viewer", "course", "cli", "pytest_plugin"),
 ]
 BACK_DOORS = {("sss_ref.rendering.result", "results")}  # Result.save
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from sss_ref.errors import ShaderError
 from sss_ref.errors.text_file import text_of
-from sss_ref.interpret.shader import GLSL, OUT, draws, fragment_shader, vertex_shader
+from sss_ref.interpret.shader import GLSL, OUT, Dialect, draws, fragment_shader, vertex_shader
 from sss_ref.language.names import Name
 from sss_ref.language.pipeline import Pass
 from sss_ref.scene.catalogue import method_of
@@ -18,10 +18,8 @@ from sss_ref.scene_file.settings import SceneFile
 if TYPE_CHECKING:
     from moderngl import Context, Program
 
-GLSL_SOURCE = "GLSL source"
 SAMPLER = re.compile(r"^uniform \w*sampler2D", re.MULTILINE)
 Files = str | PathLike[str] | Sequence[str | PathLike[str]]
-OUTPUT = re.compile(rf"layout\s*\(\s*location\s*=\s*(\d+)\s*\)\s*(?:precise\s+)?out\s+\w+\s+{OUT}(\w+)\s*;")
 
 
 @dataclass(frozen=True)
@@ -59,16 +57,21 @@ def own_shaders(
     wanted: Collection[str],
     lengths: Mapping[str, int],
     vertex: Path | None = None,
+    dialect: Dialect = GLSL,
 ) -> list[ShaderPair]:
     """The shaders of a pass, translated; vertex: the file of the user's vertex shader, if it is drawn with that.
 
     The other arguments as `fragment_shader` takes them.
     """
-    text = text_of(vertex, GLSL_SOURCE, ShaderError) if vertex else vertex_shader(this_pass, lengths)
+    text = _source(vertex, dialect) if vertex else vertex_shader(this_pass, lengths, dialect)
     return [
-        ShaderPair(str(vertex or name), text, fragment_shader(this_pass, buffers, outputs, lengths), outputs)
-        for name, outputs in draws(this_pass, wanted).items()
+        ShaderPair(str(vertex or name), text, fragment_shader(this_pass, buffers, outputs, lengths, dialect), outputs)
+        for name, outputs in draws(this_pass, wanted, dialect).items()
     ]
+
+
+def _source(path: Path, dialect: Dialect) -> str:
+    return text_of(path, f"{dialect.title} source", ShaderError)
 
 
 def shader_folder(folder: Path, settings: SceneFile) -> dict[str, list[Path]]:
@@ -106,28 +109,33 @@ def user_vertex_file(files: Files) -> Path | None:
     return found[0] if found else None
 
 
-def user_shaders(this_pass: Pass, files: Files, lengths: Mapping[str, int]) -> list[ShaderPair]:
+def user_shaders(
+    this_pass: Pass, files: Files, lengths: Mapping[str, int], dialect: Dialect = GLSL
+) -> list[ShaderPair]:
     """The fragment shaders among a pass's files, each with the user's vertex shader, or else ours.
 
-    A fragment shader says what it writes: layout(location = 0) out vec3 out_lit. It reads uniforms and textures by the
-    names of the translated shaders. Raises ShaderError where a file cannot be read or writes what the pass does not.
+    A fragment shader says what it writes, as ours do: layout(location = 0) out vec3 out_lit. It reads uniforms and
+    textures by the names of the translated shaders. Raises ShaderError where a file cannot be read or writes what the
+    pass does not.
     """
     file = user_vertex_file(files)
-    vertex = text_of(file, GLSL_SOURCE, ShaderError) if file else vertex_shader(this_pass, lengths)
-    texts = {path: text_of(path, GLSL_SOURCE, ShaderError) for path in listed(files) if path.suffix != ".vert"}
-    return [ShaderPair(str(path), vertex, text, _outputs(this_pass, path, text)) for path, text in texts.items()]
+    vertex = _source(file, dialect) if file else vertex_shader(this_pass, lengths, dialect)
+    texts = {path: _source(path, dialect) for path in listed(files) if path.suffix != ".vert"}
+    return [
+        ShaderPair(str(path), vertex, text, _outputs(this_pass, path, text, dialect)) for path, text in texts.items()
+    ]
 
 
-def _outputs(this_pass: Pass, path: Path, text: str) -> tuple[str, ...]:
+def _outputs(this_pass: Pass, path: Path, text: str, dialect: Dialect) -> tuple[str, ...]:
     """The buffers that a fragment shader says it writes, by location."""
-    ours = {GLSL.out(name): name for name in this_pass.values}
-    found = sorted((int(location), ours.get(OUT + name, name)) for location, name in OUTPUT.findall(text))
+    ours, outputs = {dialect.out(name): name for name in this_pass.values}, re.finditer(dialect.written.output, text)
+    found = sorted((int(each["at"]), ours.get(OUT + each["name"], each["name"])) for each in outputs)
     names = tuple(name for _, name in found)
     listed = ", ".join(this_pass.values)
-    if not found or [location for location, _ in found] != list(range(min(len(found), GLSL.most_outputs))):
+    if not found or [location for location, _ in found] != list(range(min(len(found), dialect.most_outputs))):
         raise ShaderError(
-            f"{path}: expected outputs at locations 0, 1 ... of 1 to {GLSL.most_outputs} buffers ({listed}), got "
-            f"{len(found)}; declare each as layout(location = 0) out vec3 {OUT}NAME"
+            f"{path}: expected outputs at locations 0, 1 ... of 1 to {dialect.most_outputs} buffers ({listed}), "
+            f"got {len(found)}; declare each as {dialect.written.example}"
         )
     for name in names:
         if name not in this_pass.values:

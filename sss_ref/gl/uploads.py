@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sss_ref.interpret.shader import ARRAY_WIDTH, array_lengths
+from sss_ref.interpret.shader import ARRAY_WIDTH, GLSL, Dialect, array_lengths
 from sss_ref.language.layout import CHANNELS, dtype_of, shape_of
 from sss_ref.language.types import vec3
 
@@ -35,11 +35,11 @@ def uploaded(context: "Context", data: np.ndarray) -> "Texture":
     return texture
 
 
-def texture_data(uniforms: Mapping[str, Any]) -> dict[str, np.ndarray]:
+def texture_data(uniforms: Mapping[str, Any], dialect: Dialect = GLSL) -> dict[str, np.ndarray]:
     """What the uniforms that are textures hold, (H, W) or (H, W, C): pictures, and arrays too long for a shader."""
     arrays = {name: np.asarray(value) for name, value in uniforms.items() if np.ndim(value)}
     pictures = {name: value for name, value in arrays.items() if value.ndim == 3}
-    longer = arrays.keys() - pictures.keys() - array_lengths(uniforms).keys()
+    longer = arrays.keys() - pictures.keys() - array_lengths(uniforms, dialect).keys()
     return pictures | {name: _rows(value) for name, value in arrays.items() if name in longer}
 
 

@@ -7,11 +7,20 @@ import subprocess
 from importlib.util import module_from_spec, spec_from_file_location
 
 import pytest
+from lavapipe import LAVAPIPE, needs_lavapipe
 
-from sss_ref.interpret.shader import DIALECTS, fragment_shader
+from sss_ref.interpret.shader import DIALECTS, WGSL, fragment_shader
 from sss_ref.interpret.shader.dialect import clear_of
-from sss_ref.interpret.shader.reserved import GLSL_BUILT_INS, GLSL_WORDS, HLSL_BUILT_INS, HLSL_WORDS, WGSL_WORDS
+from sss_ref.interpret.shader.reserved import (
+    GLSL_BUILT_INS,
+    GLSL_WORDS,
+    HLSL_BUILT_INS,
+    HLSL_WORDS,
+    WGSL_BUILT_INS,
+    WGSL_WORDS,
+)
 from sss_ref.language.pipeline import Pass, ScreenDraw
+from sss_ref.webgpu.adapter import open_device
 
 VALIDATOR = shutil.which("glslangValidator")
 WORDS = sorted(
@@ -74,20 +83,35 @@ def stages(tmp_path, template, names):
     return [getattr(module, f"stage_{k}") for k in range(len(names))]
 
 
-@pytest.mark.skipif(VALIDATOR is None, reason="glslangValidator is not installed (Debian: glslang-tools)")
-@pytest.mark.parametrize("template", [USED, LOCAL], ids=["uniform", "local"])
-@pytest.mark.parametrize("dialect", DIALECTS)
-def test_every_reserved_word_may_name_a_value(dialect, template, tmp_path):
-    usable = [word for word in [*WORDS, *ODD] if word not in ("function", "stage")]
+def shaders(tmp_path, template, dialect, more=()):
+    """Shaders of stages that have every reserved word, and more words, for a name."""
+    usable = [word for word in [*WORDS, *more, *ODD] if word not in ("function", "stage")]
     own = stages(tmp_path, template, usable)
     for start in range(0, len(own), TOGETHER):
         this_pass = Pass("own", "camera", ScreenDraw(), tuple(own[start : start + TOGETHER]))
         last = list(this_pass.outputs)[-1]  # each stage reads what the one before it writes, so this needs them all
-        path = tmp_path / f"{start}.frag"
-        path.write_text(fragment_shader(this_pass, set(), [last], {}, DIALECTS[dialect]))
+        yield fragment_shader(this_pass, set(), [last], {}, dialect)
+
+
+@pytest.mark.skipif(VALIDATOR is None, reason="glslangValidator is not installed (Debian: glslang-tools)")
+@pytest.mark.parametrize("template", [USED, LOCAL], ids=["uniform", "local"])
+@pytest.mark.parametrize("dialect", FLAGS)
+def test_every_reserved_word_may_name_a_value(dialect, template, tmp_path):
+    for number, source in enumerate(shaders(tmp_path, template, DIALECTS[dialect])):
+        path = tmp_path / f"{number}.frag"
+        path.write_text(source)
         done = subprocess.run([VALIDATOR, *FLAGS[dialect], str(path)], capture_output=True, text=True)
         problems = [line for line in done.stdout.splitlines() if "ERROR" in line or "WARNING" in line]
         assert not problems and done.returncode == 0
+
+
+@needs_lavapipe
+@pytest.mark.parametrize("template", [USED, LOCAL], ids=["uniform", "local"])
+def test_naga_lets_every_reserved_word_name_a_value(template, tmp_path):
+    device = open_device(LAVAPIPE)
+    for source in shaders(tmp_path, template, WGSL, sorted(WGSL_BUILT_INS - {*WORDS})):
+        device.create_shader_module(code=source)  # raises an error that shows the line
+    device.destroy()
 
 
 def test_no_two_names_become_one():

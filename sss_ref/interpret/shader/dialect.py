@@ -60,7 +60,8 @@ class Wording:
     declaration: a variable, parameter or field of a name and a type. array: one of a length. fixed, changing: the
     statement that gives a variable {declared} its value, once or at first. function: the head of one. field,
     struct_end: a field of a struct, and its end. loop: the head of one, from {start} to below {stop}. stop: what ends
-    a fragment for which {condition} does not hold. handed: how a shader sets one of its outputs.
+    a fragment for which {condition} does not hold. handed: how a shader sets one of its outputs. output: what finds in
+    a fragment shader the outputs that it declares, as a regular expression; example: one of them.
     """
 
     declaration: str = "{type} {name}"
@@ -71,6 +72,8 @@ class Wording:
     field: str = "{declared};"
     struct_end: str = "};"
     loop: str = "for (int {index} = {start}; {index} < {stop}; {index}++)"
+    output: str = rf"layout\s*\(\s*location\s*=\s*(?P<at>\d+)\s*\)\s*(?:precise\s+)?out\s+\w+\s+{OUT}(?P<name>\w+)\s*;"
+    example: str = f"layout(location = 0) out vec3 {OUT}NAME"
     stop: str = "if (!({condition})) discard;"
     handed: str = "{name} = {value};"
 
@@ -79,8 +82,8 @@ class Wording:
 class Dialect:
     """A shading language.
 
-    types: type -> its name. textures: type of a texel -> the texture's type. calls: primitive -> how it is written,
-    with {0}, {1} for the arguments. texel, element: how a texture, or a long array in one, is read.
+    title: its name. types: type -> its name. textures: type of a texel -> the texture's type. calls: primitive -> how
+    it is written, with {0}, {1} for the arguments. texel, element: how a texture, or a long array in one, is read.
     four_channels: whether a texel has four, whatever its texture holds.
     products: type of a matrix m -> its product with the vector v. splat: a vector of type {0}, each component {1}.
     written: how definitions and statements are written. constant: what stands before a constant. exact: what stands
@@ -96,6 +99,7 @@ class Dialect:
     longest_array: elements of a uniform array; OpenGL 3.3 promises room for 1024 numbers in all.
     """
 
+    title: str
     types: Mapping[Any, str]
     textures: Mapping[Any, str]
     calls: Mapping[str, str]

@@ -46,6 +46,7 @@ def _shader(parts: Parts, dialect: Dialect, inputs: list[str], outputs: list[str
 
 
 GLSL = Dialect(
+    title="GLSL",
     types={
         float: "float",
         int: "int",
@@ -97,6 +98,7 @@ GLSL = Dialect(
 PRECISION = [f"precision highp {kind};" for kind in ("float", "int", "sampler2D", "isampler2D", "usampler2D")]
 ESSL = replace(
     GLSL,
+    title="GLSL ES",
     exact="",
     given={**GLSL.given, "triangle": TRIANGLE},
     most_outputs=4,

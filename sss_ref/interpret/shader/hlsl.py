@@ -6,7 +6,7 @@ Hence textures, pixels and what is read back need no flip. Depth is that of (z +
 Matrices lie in the constant buffer row after row; elements of its arrays start 16 bytes apart, as always in Direct3D.
 """
 
-from sss_ref.interpret.shader.dialect import ARRAY_WIDTH, Dialect, Parts
+from sss_ref.interpret.shader.dialect import ARRAY_WIDTH, OUT, Dialect, Parts, Wording
 from sss_ref.interpret.shader.glsl import GLSL
 from sss_ref.interpret.shader.reserved import HLSL_BUILT_INS, HLSL_WORDS
 from sss_ref.interpret.shader.text import braced, comment, indented, joined
@@ -53,6 +53,7 @@ def _shader(parts: Parts, dialect: Dialect, parameters: list[str]) -> str:
 
 
 HLSL = Dialect(
+    title="HLSL",
     types={
         float: "float",
         int: "int",
@@ -99,5 +100,9 @@ HLSL = Dialect(
     head=(),
     vertex=vertex,
     fragment=fragment,
+    written=Wording(
+        output=rf"out\s+(?:precise\s+)?\w+\s+{OUT}(?P<name>\w+)\s*:\s*SV_Target(?P<at>\d+)",
+        example=f"out float3 {OUT}NAME : SV_Target0",
+    ),
     size=("uint width, height;", "map.GetDimensions(width, height);", "return int2(width, height);"),
 )

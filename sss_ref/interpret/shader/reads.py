@@ -34,7 +34,8 @@ class Reads:
 
     def all_textures(self, lengths: Mapping[str, int]) -> dict[str, Any]:
         """Name -> type of the textures; lengths: uniform array -> its length (of others: a texture)."""
-        return {name: Texture[kind] for name, kind in self.textures.items()} | self._arrays(lengths)
+        textures = {name: Texture[kind] for name, kind in self.textures.items()}  # type: ignore[valid-type]
+        return textures | self._arrays(lengths)
 
     def values(self, lengths: Mapping[str, int]) -> dict[str, Any]:
         """Name -> type of the uniforms that are no textures."""

@@ -10,7 +10,7 @@ of an array among constants start 16 bytes apart.
 from collections.abc import Sequence
 from typing import Any
 
-from sss_ref.interpret.shader.dialect import ARRAY_WIDTH, Dialect, Parts, Wording
+from sss_ref.interpret.shader.dialect import ARRAY_WIDTH, OUT, Dialect, Parts, Wording
 from sss_ref.interpret.shader.glsl import GLSL, TRIANGLE
 from sss_ref.interpret.shader.reserved import WGSL_BUILT_INS, WGSL_WORDS
 from sss_ref.interpret.shader.text import braced, comment, indented, joined
@@ -90,6 +90,7 @@ def _taken(parts: Parts, dialect: Dialect) -> list[str]:
 
 
 WGSL = Dialect(
+    title="WGSL",
     types={
         float: "f32",
         int: "i32",
@@ -145,6 +146,8 @@ WGSL = Dialect(
         struct_end="}",
         loop="for (var {index}: i32 = {start}; {index} < {stop}; {index}++)",
         stop="if (!({condition})) {{ discard; }}",
+        output=rf"@location\((?P<at>\d+)\)\s*{OUT}(?P<name>\w+)\s*:",
+        example=f"@location(0) {OUT}NAME: vec4<f32>",
         handed="let {name} = {value};",
     ),
     overloads=False,

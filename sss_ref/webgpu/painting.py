@@ -1,0 +1,85 @@
+"""Drawing a scene by WebGPU: a draw of a pass, into fresh textures."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from sss_ref.gl.folding import Painter, drawn
+from sss_ref.gl.shaders import Files, ShaderPair
+from sss_ref.gl.uploads import texture_data
+from sss_ref.interpret.shader import WGSL
+from sss_ref.language.pipeline import Pass
+from sss_ref.scene.scene import Scene
+from sss_ref.webgpu.adapter import open_device
+from sss_ref.webgpu.one_draw import DrawnMesh, OneDraw
+from sss_ref.webgpu.textures import downloaded, uploaded
+
+if TYPE_CHECKING:
+    from wgpu import GPUDevice, GPUTexture
+
+
+def draw(
+    scene: Scene,
+    shaders: Mapping[str, Files] | None = None,
+    keep: str | Iterable[str] = "all",
+    adapter: str = "",
+) -> dict[str, np.ndarray]:
+    """Draw a scene by this machine's WebGPU: buffers of its method by name.
+
+    As `sss_ref.gl.draw`, but that the shaders are WGSL, the user's too: a fragment shader says what it writes as ours
+    do, @location(0) out_lit: vec4<f32>, reads the textures and uniforms that it declares, each by the name that ours
+    have, and stands in camera.frag as its vertex shader does in camera.vert.
+    adapter: words of the name of the one that draws (see `adapter_name`), for a machine that has several.
+    Raises ShaderError where there is no such adapter, a shader does not compile, or a pass reads what a shader left
+    out, and SceneError for an unknown buffer.
+    """
+    return drawn(scene, shaders or {}, keep, partial(_painting, words=adapter))
+
+
+@contextmanager
+def _painting(scene: Scene, words: str) -> "Iterator[Painter[GPUTexture]]":
+    device = open_device(words)
+    try:
+        yield _WebGpuPainter(scene, device)
+    finally:
+        device.destroy()
+
+
+@dataclass
+class _WebGpuPainter:
+    """Draws the passes of a scene by WebGPU."""
+
+    scene: Scene
+    device: "GPUDevice"
+    dialect = WGSL
+
+    def prepared(
+        self, this_pass: Pass, pair: ShaderPair
+    ) -> "Callable[[Mapping[str, GPUTexture]], dict[str, GPUTexture]]":
+        """A draw, compiled."""
+        mesh = self.mesh_drawn(this_pass)
+        targets = {name: (this_pass.values[name], self.scene.clear(name)) for name in pair.outputs}
+        one = OneDraw(self.device, pair, targets, mesh)
+        return lambda read: one.run({**self.textures, **read}, self.scene.uniforms, self.scene.size(this_pass))
+
+    def mesh_drawn(self, this_pass: Pass) -> DrawnMesh | None:
+        """The corners of a pass's triangles; None for a rectangle."""
+        if not this_pass.draw.vertex_stages:
+            return None
+        mesh = self.scene.mesh_of(this_pass)
+        later_wins = this_pass.draw.layout and self.scene.settings.irradiance_map.overlap == "last"
+        return DrawnMesh(mesh.attributes, mesh.triangles, later_wins)
+
+    def downloaded(self, texture: "GPUTexture", kind: Any) -> np.ndarray:
+        """The buffer of a type that a texture holds."""
+        return downloaded(self.device, texture, kind)
+
+    @cached_property
+    def textures(self) -> "dict[str, GPUTexture]":
+        """The uniforms that are textures."""
+        data = texture_data(self.scene.uniforms, WGSL)
+        return {name: uploaded(self.device, texels) for name, texels in data.items()}
