@@ -26,10 +26,14 @@ def sources_hash(module_file: str) -> str | None:
     return hashlib.sha256(repr([own, *sorted(texts.items())]).encode()).hexdigest()
 
 
-def imported(source: str) -> Iterator[Path]:
-    """The files of the package that a source imports, inside its functions too."""
-    for module, names in IMPORT.findall(source):
-        folder = PACKAGE.joinpath(*module.split(".")[1:])
-        members = [folder / name for name in re.findall(r"\w+", names)]
-        candidates = [each for path in (folder, *members) for each in (path.with_suffix(".py"), path / "__init__.py")]
-        yield from (path for path in candidates if path.is_file())
+@cache
+def imported(source: str) -> tuple[Path, ...]:
+    """The files of the package that a source imports, inside its functions too; kept, for many kernels share them."""
+    return tuple(path for module, names in IMPORT.findall(source) for path in _files(module, names) if path.is_file())
+
+
+def _files(module: str, names: str) -> Iterator[Path]:
+    """Where a module and the members that are imported from it would be, if each were a module or a package."""
+    folder = PACKAGE.joinpath(*module.split(".")[1:])
+    for path in (folder, *(folder / name for name in re.findall(r"\w+", names))):
+        yield from (path.with_suffix(".py"), path / "__init__.py")
