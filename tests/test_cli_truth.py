@@ -31,6 +31,14 @@ def test_the_time_is_kept(tmp_path, capsys):
     assert "2 samples a pixel" in capsys.readouterr().out
 
 
+def test_a_scene_without_a_unit_is_told(tmp_path, capsys):
+    words = ["truth", "sphere", "--size", "8x6", "--medium", "skin1", "--samples", "1", "-o"]
+    assert main([*words, str(tmp_path / "without")]) == 0
+    assert "the scene has no mm_per_unit; a unit is taken for 1 mm" in capsys.readouterr().err
+    assert main([*words, str(tmp_path / "with"), "--set", "mm_per_unit=1"]) == 0
+    assert "mm_per_unit" not in capsys.readouterr().err
+
+
 def test_the_scenes_own_material_is_taken(tmp_path):
     words = ["truth", "sphere", "-o", str(tmp_path), "--samples", "1", *SMALL[:4], "--set", 'material="marble"']
     assert main(words) == 0
@@ -43,7 +51,7 @@ def test_the_scenes_own_material_is_taken(tmp_path):
         (SMALL[:4], "--medium: expected the name of a medium, got none and a scene without material; try skin1"),
         ([*SMALL, "--samples", "0"], "--samples: expected at least 1, got 0"),
         ([*SMALL, "--threads", "0"], "--threads: expected at least 1, got 0"),
-        ([*SMALL[:4], "--medium", "cheese"], "material: expected the name of a medium, got 'cheese'"),
+        ([*SMALL[:4], "--medium", "cheese"], "--medium: expected the name of a medium, got 'cheese'"),
     ],
 )
 def test_what_is_wrong_is_said(tmp_path, capsys, words, line):

@@ -28,9 +28,10 @@ def truth(
         str | None, Parameter(show_default=False, help="What the body is made of, such as skin1; else its material.")
     ] = None,
     border: Annotated[
-        Literal["matched", "diffuse"],
+        Literal["matched", "diffuse", "entered"],
         Parameter(
-            help="Light does not notice the surface, or enters and leaves as by a diffuser under Fresnel's border."
+            help="Light does not notice the surface, or enters and leaves as by a diffuser under Fresnel's border; "
+            "entered: of that only the light that has entered."
         ),
     ] = "matched",
     samples: Annotated[int, Parameter(help="Until each pixel has so many.")] = 64,
@@ -47,13 +48,13 @@ def truth(
     from sss_ref.truth.tracing import Tracing
     from sss_ref.truth.truth_folder import begun, recorded
 
-    _check(samples, seed, threads)
+    check_tracing(samples, seed, threads)
     loaded = load_scene(scene, **changes.overrides())
-    tracing = Tracing(loaded, volumes(_medium(loaded, medium)), border, seed=seed)
-    if loaded.settings.mm_per_unit is None:
+    tracing = Tracing(loaded, volumes(_medium(loaded, medium), where="--medium"), border, seed=seed)
+    if "mm_per_unit" not in loaded.settings.model_fields_set:
         err.print("[yellow]warning: the scene has no mm_per_unit; a unit is taken for 1 mm[/]")
     with progress("tracing") as show:
-        found = _traced(begun(output, tracing), output, samples, time_limit or math.inf, threads, show)
+        found = traced(begun(output, tracing), output, samples, time_limit or math.inf, threads, show)
     told = recorded(found)
     out.print(
         f"{found.samples} samples a pixel, {found.lost} lost; mean radiance (red, green, blue) and standard error:"
@@ -63,7 +64,8 @@ def truth(
     return 0
 
 
-def _check(samples: int, seed: int, threads: int | None) -> None:
+def check_tracing(samples: int, seed: int, threads: int | None) -> None:
+    """Raise SceneError for numbers that nothing can be traced with."""
     for option, value, least in (("--samples", samples, 1), ("--seed", seed, 0), ("--threads", threads, 1)):
         if value is not None and value < least:
             raise SceneError(f"{option}: expected at least {least}, got {value}; give a larger number")
@@ -77,7 +79,7 @@ def _medium(scene: "Scene", given: str | None) -> str:
     return name
 
 
-def _traced(
+def traced(
     found: "Radiance",
     folder: Path,
     samples: int,

@@ -15,14 +15,14 @@ MEASURED_SKIN = {
 NAMED: dict[str, Medium] = {**MEASURED_SKIN, **{str(name): medium for name, medium in MEDIA.items()}}
 
 
-def volumes(name: str, ior: float | None = None) -> Volumes:
+def volumes(name: str, ior: float | None = None, where: str = "material") -> Volumes:
     """The volumes (red, green, blue) of the material `name`, with its own index of refraction or another one, `ior`.
 
-    Raises SceneError for what is no name. Scattering is reduced, so anisotropy is 0. The material `skin` of a scene is
-    a sum of Gaussians that no coefficients stand behind: skin1 and skin2 are measured.
+    where: what gave the name. Raises SceneError for what is none. Scattering is reduced, so anisotropy is 0. The
+    material `skin` of a scene is a sum of Gaussians that no coefficients stand behind: skin1 and skin2 are measured.
     """
     if name not in NAMED:
-        raise SceneError(told("material", "the name of a medium", repr(name), nearest(name, NAMED)))
+        raise SceneError(told(where, "the name of a medium", repr(name), nearest(name, NAMED)))
     scattering, absorption, own_ior = NAMED[name]
     border = own_ior if ior is None else ior
     red, green, blue = (Volume(s, a, 0.0, border) for s, a in zip(scattering, absorption, strict=True))

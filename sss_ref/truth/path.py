@@ -3,7 +3,8 @@
 With a `matched` border light does not notice the surface: from every scattering a straight ray goes to each light, and
 is dimmed by what it passes inside the body, wherever it comes out and in again. With a `diffuse` border, the one of
 Jensen et al. (2001), light enters and leaves as by a white diffuser under Fresnel's border: the path ends where it
-leaves, and there it gathers what falls on the surface.
+leaves, and there it gathers what falls on the surface. With the border `entered` it does the same, but all that falls
+on the surface enters, and all that leaves is seen: Fresnel's border reflects inside alone.
 """
 
 import math
@@ -41,6 +42,7 @@ class Scenery(NamedTuple):
     tree: NamedTuple  # a BoxTree
     lights: Illumination
     is_matched: bool
+    is_dimmed: bool  # whether what Fresnel's border reflects outside is taken off
 
 
 @compiled
@@ -108,7 +110,9 @@ def gathered_at_surface(stream, scenery, volume, ray, channel):
     if triangle == NO_TRIANGLE:
         return 0.0
     facing = normal(tree, triangle)
-    weight = 1.0 - reflectance(min(abs(dot(facing, ray[1])), 1.0), 1.0 / volume.ior)
+    weight = 1.0
+    if scenery.is_dimmed:
+        weight -= reflectance(min(abs(dot(facing, ray[1])), 1.0), 1.0 / volume.ior)
     origin = along(ray[0], ray[1], distance)
     direction = about(opposite(facing), entering(stream, volume.ior, True))
     while True:
@@ -138,7 +142,8 @@ def light_on(scenery, volume, point, facing, channel):
         to_light, distance, strength = towards(lights, light, point, channel)
         cosine = dot(facing, to_light)
         if cosine > 0.0 and nearest(scenery.tree, point, to_light, distance, True)[1] == NO_TRIANGLE:
-            total += strength * cosine * (1.0 - reflectance(min(cosine, 1.0), 1.0 / volume.ior))
+            kept = 1.0 - reflectance(min(cosine, 1.0), 1.0 / volume.ior) if scenery.is_dimmed else 1.0
+            total += strength * cosine * kept
     return total
 
 

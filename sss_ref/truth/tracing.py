@@ -19,17 +19,18 @@ from sss_ref.truth.path import Illumination, Scenery
 from sss_ref.truth.photon import Volume
 from sss_ref.view.views import Light, View
 
-Border = Literal["matched", "diffuse"]
-BORDERS = ("matched", "diffuse")
+Border = Literal["matched", "diffuse", "entered"]
+BORDERS = ("matched", "diffuse", "entered")
 
 
 @dataclass(frozen=True, eq=False)
 class Tracing:
     """What is traced: all that decides a radiance besides the number of samples.
 
-    border: "matched", light does not notice the surface, whatever the material's index of refraction; or "diffuse", it
-    enters and leaves as by a white diffuser under Fresnel's border of that index. across_pixel: whether samples go
-    evenly over a pixel; else through its centre, as the stages see it.
+    border: "matched", light does not notice the surface, whatever the material's index of refraction; "diffuse", it
+    enters and leaves as by a white diffuser under Fresnel's border of that index; or "entered", the same of the light
+    that has entered, as the shares of walks are: what the border reflects outside is not taken off.
+    across_pixel: whether samples go evenly over a pixel; else through its centre, as the stages see it.
     Raises SceneError for a mesh without an inside, a body inside it, and an unknown border.
     """
 
@@ -53,7 +54,8 @@ class Tracing:
     @cached_property
     def scenery(self) -> Scenery:
         """The triangles, outwards, and the lights."""
-        return Scenery(box_tree_of(self._corners), _illumination(self.scene.lights), self.border == "matched")
+        tree, lights = box_tree_of(self._corners), _illumination(self.scene.lights)
+        return Scenery(tree, lights, self.border == "matched", self.border == "diffuse")
 
     @cached_property
     def _corners(self) -> NDArray[np.float64]:

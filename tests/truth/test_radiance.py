@@ -133,6 +133,17 @@ def test_a_slab_with_a_diffuse_border_is_as_bright_as_photons_say(thick_slab, io
     assert abs(mean - entering * photons.share(fate)) < 4 * math.hypot(error, entering * photons.share_error(fate))
 
 
+@pytest.mark.parametrize(("side", "fate"), [(1, REFLECTED), (-1, TRANSMITTED)])
+def test_of_the_light_that_has_entered_as_much_leaves_as_photons_say(thick_slab, side, fate):
+    """e * cos * R: the same without F, though light is thrown back inside."""
+    volume, cosine, intensity = Volume(2.0, 0.5, 0.3, 1.4), 0.15, 2.5
+    light = parallel_light((math.sqrt(1 - cosine**2), 0.0, side * cosine), intensity)
+    found = traced(looking_down(thick_slab, [light]), volume, 100, border="entered")
+    photons, entering = slab(volume, 1.5, 30_000), intensity * cosine
+    mean, error = found.mean.mean(), math.sqrt((found.error**2).sum()) / found.error.size
+    assert abs(mean - entering * photons.share(fate)) < 4 * math.hypot(error, entering * photons.share_error(fate))
+
+
 def test_a_sphere_that_scatters_hardly():
     """In its middle: s/4 * sum over the ray of e^(-t*z) * e^(-t*length towards the light); twice is below 2 % of it."""
     albedo, size = 0.02, 5
@@ -204,7 +215,7 @@ def test_a_mesh_turned_inside_out_is_the_same_body(tmp_path):
 @pytest.mark.parametrize(
     ("scene", "border", "line"),
     [
-        ("wedge", "smooth", r"border: expected matched or diffuse, got 'smooth'"),
+        ("wedge", "smooth", r"border: expected matched or diffuse or entered, got 'smooth'"),
         ("teeth_layers", "matched", r"layers: expected one body, got another inside it"),
         (
             "lesson_stretch",
