@@ -17,6 +17,8 @@ def test_what_is_printed_is_a_scene_files_part(capsys):
     scene = load_scene("sphere", **printed)
     assert scene.settings.mm_per_unit == 150 and len(scene.settings.blur.taps) == 13
     assert scene.settings.translucency.exponent == tuple(printed["translucency"]["exponent"])
+    assert scene.settings.translucency.combine == "transmit"
+    assert len(scene.settings.diffusion.gaussians) == 6 and scene.settings.diffusion.albedo == scene.settings.mesh.color
     assert "of a disc of" in told.err and told.err.count("e^(-") == 3
 
 
@@ -25,6 +27,14 @@ def test_numbers_are_as_their_name(capsys):
     of_numbers = capsys.readouterr().out
     assert main(["fit", "skin1", "--photons", "2000", "--threads", "1"]) == 0
     assert capsys.readouterr().out == of_numbers
+
+
+def test_the_other_form_of_t_is_a_scene_files_part_too(capsys):
+    assert main(["fit", "skin1", "--photons", "2000", "--lit", "all_sides"]) == 0
+    (comment,) = [line for line in capsys.readouterr().out.splitlines() if line.startswith("# or ")]
+    keys = tomllib.loads("\n".join(comment.removeprefix("# or ").split("; ")))
+    scene = load_scene("sphere", translucency=keys)
+    assert scene.settings.translucency.form == "beer" and scene.settings.translucency.x == tuple(keys["x"])
 
 
 @pytest.mark.parametrize(

@@ -87,20 +87,22 @@ def searchlight(
     seed: int = 0,
     threads: int | None = None,
     on_progress: Progress | None = None,
+    diffuse: bool = False,
 ) -> RadialProfile:
     """Walk so many photons of a beam into a half-space of a volume; the same bits for any number of threads.
 
     seed: of the random numbers. threads: all processors where it is None. on_progress(done, photons) is told now and
-    then. To go on with a profile's photons: `RadialProfile(profile.tally.more(photons))`.
+    then. diffuse: whether light enters in that point from all sides (cosine), or straight down.
+    To go on with a profile's photons: `RadialProfile(profile.tally.more(photons))`.
     Raises SceneError for a volume without absorption: its photons would walk for ever.
     """
-    return RadialProfile(nothing_walked(beam(volume, seed)).more(photons, threads, on_progress))
+    return RadialProfile(nothing_walked(beam(volume, seed, diffuse)).more(photons, threads, on_progress))
 
 
-def beam(volume: Volume, seed: int = 0) -> Walk:
+def beam(volume: Volume, seed: int = 0, diffuse: bool = False) -> Walk:
     """The walk of a beam into a half-space, with rings as far as light goes, narrower towards the beam."""
     reach = DIFFUSION_LENGTHS * diffusion_length(volume)
-    return Walk(volume, Setup(math.inf, diffuse=False), rings(reach), seed)
+    return Walk(volume, Setup(math.inf, diffuse), rings(reach), seed)
 
 
 def rings(reach: float, count: int = RINGS) -> tuple[float, ...]:
