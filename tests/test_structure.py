@@ -33,6 +33,7 @@ ROOMS = [  # from the ground up: whoever stands higher imports from those below
         "batch",
         "dump",
         "truth",
+        "yardstick",
         "explanation",
         "bundle",
         "validation",

@@ -10,6 +10,7 @@ from sss_ref.cli.course_commands import course
 from sss_ref.cli.explaining import explain
 from sss_ref.cli.fit_command import fit
 from sss_ref.cli.listing import info, scenes
+from sss_ref.cli.measure_command import measure
 from sss_ref.cli.render_commands import render, warmup
 from sss_ref.cli.shader_commands import bundle, glsl, webgl
 from sss_ref.cli.starting import init
@@ -45,6 +46,7 @@ for command in (
     truth,
     fit,
     course,
+    measure,
     info,
     scenes,
     warmup,
