@@ -6,8 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from sss_ref.course.figures import AMBER, BLUE, FAINT, INK, NO_VALUE, RED, TEAL, row
+from sss_ref.course.figures import AMBER, BLUE, CHANNELS, FAINT, INK, NO_VALUE, RED, TEAL, row
 from sss_ref.truth.searchlight import RadialProfile
+from sss_ref.truth.transmittance_fit import TransmittanceFit
 
 FloatArray = NDArray[np.float64]
 TOGETHER = 16  # rings of a walk that are drawn as one, so that the noise does not hide the curve
@@ -52,6 +53,18 @@ def stairs(axes: Axes, offsets: FloatArray, weights: FloatArray, color: str) -> 
     radius = np.concatenate([[0.0], offsets[order], [2 * offsets.max() + 1]])
     share = np.concatenate([[0.0], np.cumsum(weights[order]) / weights.sum(), [1.0]])
     axes.step(radius, share, where="post", color=color, linewidth=1.3)
+
+
+def transmittance(axes: Axes, laws: Sequence[TransmittanceFit], lines: Sequence[FloatArray], title: str) -> None:
+    """What slabs let through, red, green and blue, as points with two standard errors, and a line for each channel.
+
+    lines: a share for each of a law's thicknesses.
+    """
+    for color, name, law, line in zip(CHANNELS, ("red", "green", "blue"), laws, lines, strict=True):
+        axes.errorbar(law.thickness, law.share, 2 * law.error, fmt=".", color=color, label=name)
+        axes.plot(law.thickness, line, color=color, linewidth=1.2)
+    axes.set(title=title, yscale="log", xlabel="thickness $d$, mm", ylabel="$T$")
+    axes.legend()
 
 
 def bars(rated: Mapping[str, float], title: str, unit: str, noise: float = 0.0) -> None:

@@ -47,6 +47,14 @@ RIGHT = {
         lambda share, relative: math.ceil((1 - share) / share / relative**2),
     ],
     checks.albedo_of: [lambda reflectance: bisected(half_space_reflectance, reflectance)],
+    checks.blurred_twice: [math.hypot, lambda first, second: (first**2 + second**2) ** 0.5],
+    checks.millimetres_per_offset: [
+        lambda distances, weights, wanted: wanted / np.sqrt(np.average(distances**2, weights=weights)),
+        lambda distances, weights, wanted: wanted * (weights.sum() / (weights @ distances**2)) ** 0.5,
+    ],
+    checks.exponent_between: [
+        lambda thin, through_thin, thick, through_thick: -math.log(through_thick / through_thin, thick / thin),
+    ],
 }
 WRONG = {
     checks.distance_of_a_wall: [
@@ -112,6 +120,22 @@ WRONG = {
         lambda reflectance: 1 - ((1 - reflectance) / (1 + 2 * reflectance)) ** 2,
         half_space_reflectance,
         lambda reflectance: 1.0,
+    ],
+    checks.blurred_twice: [
+        lambda first, second: first**2 + second**2,
+        lambda first, second: max(first, second),
+        lambda first, second: (first + second) / 2,
+    ],
+    checks.millimetres_per_offset: [
+        lambda distances, weights, wanted: wanted / np.sqrt((distances**2).mean()),
+        lambda distances, weights, wanted: wanted / (weights @ distances / weights.sum()),
+        lambda distances, weights, wanted: wanted / np.sqrt(weights @ distances**2),
+        lambda distances, weights, wanted: wanted * np.sqrt(np.average(distances**2, weights=weights)),
+    ],
+    checks.exponent_between: [
+        lambda thin, through_thin, thick, through_thick: math.log(through_thick / through_thin, thick / thin),
+        lambda thin, through_thin, thick, through_thick: math.log(through_thin / through_thick) / (thick - thin),
+        lambda thin, through_thin, thick, through_thick: 0.6,
     ],
 }
 

@@ -11,3 +11,4 @@ from sss_ref.course.checks.lesson_7 import blur_on_the_body
 from sss_ref.course.checks.lesson_8 import ulps_between
 from sss_ref.course.checks.lesson_9 import wrong_stages
 from sss_ref.course.checks.lesson_10 import albedo_of, free_path, photons_needed
+from sss_ref.course.checks.lesson_11 import blurred_twice, exponent_between, millimetres_per_offset
