@@ -24,6 +24,7 @@ TAKEN = {  # lesson -> which of its pictures, from 0
     "08_float32": 2,
     "09_validate_your_shader": 0,
     "10_diffusion": 0,
+    "11_taps_and_thickness": 2,
 }
 SIZE = 640, 320  # pixels at most
 
