@@ -50,6 +50,7 @@ def tried(folder: Path, seed: int, opengl: bool) -> dict[str, int]:
     for fault in outcome.faults:
         print(f"{seed}: {fault}\n    {outcome.tables}", flush=True)
     counts = {"blank": int(outcome.blank), "refused": outcome.refused, "faults": len(outcome.faults)}
+    counts |= {"with more textures than this OpenGL takes": 1} if outcome.beyond else {}
     return counts | {outcome.tables["method"]: 1, outcome.tables["preset"]: 1}
 
 

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 import scenes_by_chance
 from opengl import needs_mesa
-from scenes_by_chance import given, judged, rendered_alike, tables_by_chance, trial
+from scenes_by_chance import drawn_by_opengl, given, judged, rendered_alike, tables_by_chance, trial
 
-from sss_ref.errors import SceneError
+from sss_ref.errors import SceneError, ShaderError
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.scene_file.quantities import Table
@@ -127,6 +127,21 @@ def test_a_wrong_buffer_is_named():
     wrong = {**ours.buffers, "image": ours["image"] + np.float32(0.5)}
     (line,) = judged(ours, wrong, ["mediump"])
     assert line.startswith("profile mediump: fail")
+
+
+@pytest.mark.parametrize("came", ["40; draw fewer lights", "a linker's words"])
+def test_only_too_many_textures_may_be_refused_by_opengl(monkeypatch, came):
+    def refusing(scene):
+        units = "camera_5: expected at most 32 textures, as this OpenGL has units for, got "
+        raise ShaderError((units if "fewer" in came else "camera_5: expected shaders that link, got ") + came)
+
+    monkeypatch.setattr("sss_ref.gl.draw", refusing)
+    scene = load_scene("wedge", **SMALL)
+    if "fewer" in came:
+        assert drawn_by_opengl(scene) is None
+    else:
+        with pytest.raises(ShaderError, match="linker"):
+            drawn_by_opengl(scene)
 
 
 def test_an_error_without_its_form_is_noticed():

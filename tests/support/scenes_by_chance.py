@@ -11,7 +11,7 @@ from PIL import Image
 from pydantic import BaseModel
 from scenes import sphere, written
 
-from sss_ref.errors import SssRefError
+from sss_ref.errors import ShaderError, SssRefError
 from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
@@ -24,17 +24,22 @@ WIDEST, HIGHEST = 97, 61
 LARGEST_MAP = 48
 SHARES = (0.0, 0.1, 0.4)  # of the settings with named values that a scene gives
 MOST_TRIES = 1000
+TOO_MANY = "textures, as this OpenGL has units for"
 A_PROBLEM = re.compile(r".+: expected .+, got .+")  # a line of an error
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """What came of one seed: the scene, how many before it were refused, whether nothing is drawn, what is wrong."""
+    """What came of one seed: the scene, how many before it were refused, whether nothing is drawn, what is wrong.
+
+    beyond: whether it has more textures than this OpenGL takes.
+    """
 
     tables: dict
     refused: int
     blank: bool
     faults: tuple[str, ...]
+    beyond: bool = False
 
 
 def trial(folder, seed, opengl=False):
@@ -48,11 +53,10 @@ def trial(folder, seed, opengl=False):
     blank = ours is None or not ours["coverage"].any()
     if not blank:
         faults += judged(ours, ours.buffers, PROFILES)
-    if opengl and not blank:
-        from sss_ref.gl import draw
-
-        faults += [f"OpenGL: {each}" for each in judged(ours, draw(scene), ["vulkan"])]
-    return Outcome(tables, refused, blank, tuple(faults))
+    drawn = drawn_by_opengl(scene) if opengl and not blank else {}
+    if drawn:
+        faults += [f"OpenGL: {each}" for each in judged(ours, drawn, ["vulkan"])]
+    return Outcome(tables, refused, blank, tuple(faults), beyond=drawn is None)
 
 
 def accepted(folder, rng):
@@ -88,6 +92,19 @@ def rendered(scene, interpreter):
     except SssRefError as error:
         check_wording(error, scene.settings)
         return None, str(error)
+
+
+def drawn_by_opengl(scene):
+    """What this machine's OpenGL draws; None for a scene of more textures than it takes, which is refused in a line."""
+    from sss_ref.gl import draw
+
+    try:
+        return draw(scene)
+    except ShaderError as error:
+        if TOO_MANY not in str(error):
+            raise
+        check_wording(error, scene.settings)
+        return None
 
 
 def judged(ours, buffers, profiles):
