@@ -9,6 +9,8 @@ from pydantic_core import ErrorDetails, PydanticCustomError
 
 KeyPath = tuple[str | int, ...]
 
+LONGEST_EXPECTED, LONGEST_CAME = 500, 400  # characters
+
 # What pydantic finds by itself: its error type, what was expected, what to do.
 FOUND_BY_TYPE = {
     "float_type": ("a number", "write it without quotes, such as 1.5"),
@@ -59,8 +61,18 @@ def unmet_at(key: KeyPath, expected: str, came: str, remedy: str) -> PydanticCus
 
 
 def told(where: str, expected: str, came: str, remedy: str) -> str:
-    """One problem as the user reads it."""
-    return f"{where}: expected {expected}, got {came}; {remedy}"
+    """One problem as the user reads it: in one line, whatever came, and nothing that a terminal would carry out."""
+    return printable(f"{where}: expected {cut(expected, LONGEST_EXPECTED)}, got {cut(came, LONGEST_CAME)}; {remedy}")
+
+
+def printable(text: str) -> str:
+    """A text with what cannot be printed, ends of lines too, spelt as Python does."""
+    return "".join(each if each.isprintable() else repr(each)[1:-1] for each in text)
+
+
+def cut(text: str, length: int = 60) -> str:
+    """A text that may be long, cut to so many characters."""
+    return text if len(text) <= length else f"{text[: length - 3]}..."
 
 
 def gibibytes(size: int) -> str:
@@ -95,7 +107,7 @@ def key_path(location: Sequence[str | int]) -> KeyPath:
 
 def written(path: KeyPath) -> str:
     """A key path as the user would write it: lights[0].position."""
-    text = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in path)
+    text = "".join(f"[{part}]" if isinstance(part, int) else f".{cut(part)}" for part in path)
     return text.removeprefix(".") or "scene"
 
 
@@ -105,7 +117,7 @@ def shown(value: Any) -> str:
         text = json.dumps(value, default=str)
     except (TypeError, ValueError, RecursionError):  # a key that is no text, an integer of thousands of digits, a cycle
         text = f"a value of type {type(value).__name__}"
-    return text if len(text) <= 60 else f"{text[:57]}..."
+    return cut(text)
 
 
 def _expectation(error: ErrorDetails) -> tuple[str, str]:
