@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sss_ref.errors.wording import shown
-from sss_ref.mesh.part import refused
+from sss_ref.mesh.part import refused, whole
 from sss_ref.mesh.polygons import Attribute, Polygons, counted
 from sss_ref.mesh.untrusted import ELEMENT_LIMIT, check_text
 from sss_ref.mesh.words import Words, named, plain
@@ -77,8 +77,8 @@ def read_off(path: Path, data: bytes) -> Polygons:
     if starts is None:
         came = f"{len(numbers.lines(at)[0])} lines"
         raise refused(path, f"the {vertices + faces} elements it declares", came, AGAIN)
-    sizes = numbers.values[starts[:-1]].astype(np.int64)
-    corner = _whole(path, numbers.values[np.repeat(starts[:-1] + 1, sizes) + counted(sizes)])
+    sizes = whole(path, numbers.values[starts[:-1]], "as counts of corners")
+    corner = whole(path, numbers.values[np.repeat(starts[:-1] + 1, sizes) + counted(sizes)], "as vertex indices")
     table = numbers.values[at:behind].reshape(vertices, stride)
     color = stride - 3 - 3 * has.normal - 2 * has.uv
     normal, uv = 3 + color * has.color_first, 3 + 3 * has.normal + color * has.color
@@ -163,9 +163,3 @@ def _walked(numbers: _Numbers, at: int, faces: int, colors: bool) -> IntArray | 
         at = numbers.line_end(at) if colors else at + 1
     starts[faces] = at
     return starts
-
-
-def _whole(path: Path, corner: FloatArray) -> IntArray:
-    if not (corner == np.rint(corner)).all():
-        raise refused(path, "whole numbers as vertex indices", "others", AGAIN)
-    return corner.astype(np.int64)

@@ -13,6 +13,8 @@ from sss_ref.view.matrices import mirrors, normal_matrix, transformed
 
 FloatArray = NDArray[np.float32]
 
+EXACT = 2.0**53  # below which float64 has every whole number
+
 
 @dataclass(frozen=True, eq=False)
 class Part:
@@ -78,6 +80,13 @@ def _orientation(where: object, transform: NDArray[np.float64]) -> tuple[bool, N
     if not (np.isfinite(transform).all() and np.isfinite(matrix).all()):
         raise refused(where, "transforms that can be inverted", "one that cannot", "apply them before exporting")
     return mirrors(transform), matrix
+
+
+def whole(where: object, values: NDArray[np.number], role: str) -> NDArray[np.int64]:
+    """The same numbers as integers. role: "as vertex indices". Raises MeshError where one is none, or too large."""
+    if not ((values == np.rint(values)) & (np.abs(values) < EXACT)).all():
+        raise refused(where, f"whole numbers below 2^53 {role}", "others", "export the mesh again")
+    return values.astype(np.int64)
 
 
 def finite32(where: object, points: NDArray[np.float64], what: str) -> FloatArray:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from sss_ref.mesh.part import refused
+from sss_ref.mesh.part import refused, whole
 from sss_ref.mesh.ply_header import PlyHeader, parsed
 from sss_ref.mesh.ply_rows import Column, Rows
 from sss_ref.mesh.polygons import Attribute, Polygons
@@ -97,9 +97,7 @@ def _corners(path: Path, rows: dict[str, Column] | None) -> tuple[IntArray, IntA
     for name in CORNERS:
         column = rows.get(name)
         if column is not None and column.sizes is not None:
-            if not (column.values == np.rint(column.values)).all():
-                raise refused(path, f"whole numbers in {name}", "others", AGAIN)
-            return column.sizes, column.values.astype(np.int64)
+            return column.sizes, whole(path, column.values, f"in {name}")
     raise refused(path, "faces with a list vertex_indices", "others", AGAIN)
 
 

@@ -142,7 +142,15 @@ REFUSED = {
     ),
     "an index that is none": (
         f"OFF\n{BODY}".replace("3 1 2 3", "3 1 2 .5"),
-        "expected whole numbers as vertex indices, got others" + AGAIN,
+        "expected whole numbers below 2^53 as vertex indices, got others" + AGAIN,
+    ),
+    "an infinite index": (
+        f"OFF\n{BODY}".replace("3 1 2 3", "3 1 2 inf"),
+        "expected whole numbers below 2^53 as vertex indices, got others" + AGAIN,
+    ),
+    "a face of three corners and a half": (
+        f"OFF\n{BODY}".replace("3 1 2 3", "3.5 1 2 3 0"),
+        "expected whole numbers below 2^53 as counts of corners, got others" + AGAIN,
     ),
     "a number that is none": (
         f"OFF\n{BODY}".replace("0 0 1\n", "0 x 1\n"),

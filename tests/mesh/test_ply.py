@@ -250,7 +250,11 @@ REFUSED = {
     ),
     "no whole numbers": (
         ply(VERTEX, FACE).replace(b"3 0 2 1", b"3 0 2 x"),
-        "expected whole numbers in vertex_indices, got others" + AGAIN,
+        "expected whole numbers below 2^53 in vertex_indices, got others" + AGAIN,
+    ),
+    "an infinite corner": (
+        ply(VERTEX, FACE).replace(b"3 0 2 1", b"3 0 2 inf"),
+        "expected whole numbers below 2^53 in vertex_indices, got others" + AGAIN,
     ),
     "an element twice": (
         ply(VERTEX, FACE, FACE),
