@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from sss_ref.dump.formats.exr_compression import is_spoiled, storage_after
+from sss_ref.dump.formats.muted import muted
 from sss_ref.dump.texels import STORAGE_OF_TYPE, Frame, StoredTexels, check_size
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import told
@@ -22,10 +23,12 @@ def read(path: Path) -> tuple[StoredTexels, ...]:
     """
     import OpenEXR
 
-    headers = [part.header for part in OpenEXR.File(str(path), header_only=True).parts]
+    with muted():
+        headers = [part.header for part in OpenEXR.File(str(path), header_only=True).parts]
     for header in headers:
         _check(path, header)
-    parts = OpenEXR.File(str(path), separate_channels=True).parts
+    with muted():
+        parts = OpenEXR.File(str(path), separate_channels=True).parts
     if len(parts) != len(headers):
         raise DumpError(told(str(path), f"{len(headers)} whole parts", str(len(parts)), "write the file again"))
     return tuple(texels for index, part in enumerate(parts) for texels in _by_type(path, part, index))

@@ -1,5 +1,6 @@
 """TIFF of integers or floats, by way of tifffile and imagecodecs (the extra `validate`)."""
 
+import logging
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +22,7 @@ COMPRESSIONS = {  # those that lose nothing; TIFF 6.0 and its supplements
     50000: "Zstandard",
 }
 NONE, NO_PREDICTOR = 1, 1
+_nowhere = logging.NullHandler()  # what tifffile logs is not printed, unless the user has handlers of their own
 REMEDY = "pip install 'sss_ref[validate]'"
 
 
@@ -31,6 +33,7 @@ def read(path: Path) -> tuple[StoredTexels, ...]:
     except ImportError:
         expected = "the package tifffile, which reads TIFF"
         raise DumpError(told(str(path), expected, "none", REMEDY)) from None
+    logging.getLogger("tifffile").addHandler(_nowhere)
     with tifffile.TiffFile(path) as file:
         pages: list[Any] = list(file.pages)
         return tuple(_page(path, page, index) for index, page in enumerate(pages) if not page.is_reduced)

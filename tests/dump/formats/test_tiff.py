@@ -1,4 +1,5 @@
 import struct
+import subprocess
 import sys
 
 import numpy as np
@@ -134,3 +135,14 @@ def test_a_smaller_copy_of_a_page_is_no_page(tmp_path):
         file.write(np.zeros((4, 4), np.float32), subfiletype=1)
     (texels,) = parts_of(tmp_path / "x.tif")
     assert texels.data.shape == (8, 8, 1)
+
+
+def test_only_our_line_is_told_of_a_broken_file(tmp_path):
+    """In a process of its own: where a program has no handler for what is logged, Python prints it."""
+    data = bytearray(tiff(2, 2, bytes(16)))
+    data[data.index(struct.pack("<HHII", 273, 4, 1, 8)) + 4] = 255  # so many places where the strip begins
+    (tmp_path / "x.tif").write_bytes(data)
+    code = "import sys, pathlib; from sss_ref.dump.files import parts_of; parts_of(pathlib.Path(sys.argv[1]))"
+    done = subprocess.run([sys.executable, "-c", code, tmp_path / "x.tif"], capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith("Traceback") and "expected a whole TIF file" in done.stderr
