@@ -1,0 +1,278 @@
+"""Reads changed files in a process of its own: what comes must be the same, or right, or one line of ours."""
+
+import random
+import re
+import resource
+import shutil
+import signal
+import tempfile
+import traceback
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, is_dataclass
+from multiprocessing import get_context
+from pathlib import Path
+
+import numpy as np
+from changed_files import changed
+from changed_values import picked
+from harmless_changes import harmless
+from pydantic import BaseModel
+from saved_scene import SCENE, TETRAHEDRON
+from valid_files import valid_files
+
+SECONDS = 5  # of processor time for one file
+WAIT = 120  # seconds until a reader that waits for ever is given up
+MEMORY = 2 * 2**30  # bytes that reading may take
+HARD_MEMORY = 16 * 2**30  # bytes at which the process gives up
+HARMLESS_SHARE = 0.15
+MOST_CHANGES = 3
+LONGEST_LINE = 1500  # characters of a message, without the path
+A_LINE = re.compile(r".+: expected .+, got .+")
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A seed's file: what kind it is, what was done to it, what came ("read", "refused" or "same"), what is wrong."""
+
+    seed: int
+    kind: str
+    how: str
+    came: str
+    fault: str | None = None
+
+
+def trials(seeds, seconds=SECONDS):
+    """The trials of some seeds, in order; a reader that ends the process or never returns is a fault.
+
+    seconds: of processor time that each may take.
+    """
+    context, seeds = get_context("spawn"), list(seeds)
+    while seeds:
+        ours, theirs = context.Pipe()
+        process = context.Process(target=serve, args=(theirs, seconds), daemon=True)
+        process.start()
+        theirs.close()
+        for _ in range(len(seeds)):
+            seed = seeds.pop(0)
+            trial = asked(ours, process, seed, seconds)
+            yield trial
+            if trial.came == "ended":
+                break
+        ours.close()
+        process.join()
+
+
+def asked(connection, process, seed, seconds):
+    """What the process says of a seed; if it says nothing, that."""
+    try:
+        connection.send(seed)
+        if connection.poll(WAIT):
+            return connection.recv()
+        process.kill()
+        why = f"no answer in {WAIT} s"
+    except (EOFError, BrokenPipeError):
+        process.join()
+        name = signal.Signals(-process.exitcode).name if process.exitcode < 0 else f"exit code {process.exitcode}"
+        why = f"more than {seconds:g} s of processor time" if name == "SIGPROF" else f"the process ended: {name}"
+    _, valid, _, how = changed_files(seed)
+    return Trial(seed, valid.kind, f"{valid.name}: {how}", "ended", why)
+
+
+def serve(connection, seconds):
+    """Answer seeds until the other end closes."""
+    resource.setrlimit(resource.RLIMIT_AS, (HARD_MEMORY, HARD_MEMORY))
+    with tempfile.TemporaryDirectory() as folder:
+        while True:
+            try:
+                seed = connection.recv()
+            except EOFError:
+                return
+            signal.setitimer(signal.ITIMER_PROF, seconds)  # its signal ends a process
+            trial = tried(seed, Path(folder))
+            signal.setitimer(signal.ITIMER_PROF, 0)
+            connection.send(trial)
+
+
+def changed_files(seed):
+    """Whether a seed's change is harmless, the valid files, those with the change, and what it was."""
+    rng = random.Random(seed)
+    valid = picked(rng, valid_files())
+    files, done = dict(valid.files), []
+    name = valid.first if rng.random() < 0.6 else picked(rng, list(files))
+    same = harmless(rng, name, files[name]) if rng.random() < HARMLESS_SHARE else None
+    if same:
+        files[name], done = same[0], [same[1]]
+    else:
+        for _ in range(rng.randint(1, MOST_CHANGES)):
+            files[name], how = changed(rng, name, files[name])
+            done.append(how)
+    return bool(same), valid, files, f"{name}, {', '.join(done)}"
+
+
+def tried(seed, folder):
+    """The trial of a seed."""
+    is_harmless, valid, files, how = changed_files(seed)
+    before = memory(reset=True)
+    came, found, fault = outcome(valid, files, folder / f"{seed}")
+    if memory() - before > MEMORY and not fault:
+        fault = f"{(memory() - before) / 2**30:.1f} GiB of memory"
+    if is_harmless and not fault:
+        _, right, _ = outcome(valid, valid.files, folder / f"{seed} as it was")
+        fault = None if came == "read" and found == right else f"a harmless change matters: {found}"
+        came = "same"
+    return Trial(seed, valid.kind, f"{valid.name}: {how}", came, fault)
+
+
+def outcome(valid, files, folder):
+    """ "read" or "refused", what was read or said, and what is wrong with that."""
+    for name, data in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(data)
+    try:
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            found, came = KINDS[valid.kind](folder / valid.first), "read"
+        fault = "; ".join(infinite(found)) or None
+    except Exception as error:
+        found, came, fault = str(error).replace(str(folder), ""), "refused", unworded(error, folder)
+    finally:
+        shutil.rmtree(folder)
+    return came, found, fault or ("; ".join(f"warns: {each.message}" for each in said) or None)
+
+
+def unworded(error, folder):
+    """What is wrong with an error; None for lines of ours that can be shown."""
+    from sss_ref.errors import SssRefError
+
+    if not isinstance(error, SssRefError):
+        return "".join(traceback.format_exception(error))
+    lines = str(error).replace(str(folder), "").split("\n")
+    wrong = [line for line in lines if not (A_LINE.fullmatch(line) and line.isprintable() and len(line) < LONGEST_LINE)]
+    return f"no line of ours: {wrong[0][:2000]!r}" if wrong else None
+
+
+def infinite(found):
+    """What of a thing that was read is not finite, of dumps apart, where that is the shader's doing."""
+    return [f"{name} is not finite" for name, digest, finite in found if not finite]
+
+
+def memory(reset=False):
+    """Bytes that this process had at most since the last reset."""
+    if reset:
+        Path("/proc/self/clear_refs").write_text("5")
+    return int(re.search(r"VmHWM:\s+(\d+)", Path("/proc/self/status").read_text())[1]) * 1024
+
+
+def facts(name, thing):
+    """Name, content and whether it is finite of every number and array in a thing, however deep."""
+    if isinstance(thing, np.ndarray):
+        finite = thing.dtype.kind not in "fc" or bool(np.isfinite(thing).all())
+        yield name, (thing.dtype.str, thing.shape, thing.tobytes()), finite
+    elif isinstance(thing, BaseModel):
+        yield from facts(name, dict(thing))
+    elif is_dataclass(thing):
+        yield from facts(name, {key: getattr(thing, key) for key in thing.__dataclass_fields__})
+    elif isinstance(thing, Mapping):
+        for key in sorted(thing, key=str):
+            yield from facts(f"{name}.{key}", thing[key])
+    elif isinstance(thing, list | tuple):
+        for key, each in enumerate(thing):
+            yield from facts(f"{name}.{key}", each)
+    else:
+        yield name, repr(thing), not isinstance(thing, float) or abs(thing) < float("inf")
+
+
+def of_scene(path):
+    """Everything that the passes would read."""
+    from sss_ref.scene.load import load_scene
+
+    scene = load_scene(path)
+    settings = scene.settings.model_dump()
+    paths = {key: settings["mesh"].pop(key) for key in ("path", "texture", "normal_map", "specular_map")}
+    assert paths["path"]
+    return list(facts("scene", {"settings": settings, "mesh": of_arrays(scene.mesh), "uniforms": scene.uniforms}))
+
+
+def of_arrays(mesh):
+    """What of a mesh reaches a buffer, and its materials."""
+    return {**mesh.attributes, "triangles": mesh.triangles, "material": mesh.material, "materials": mesh.materials}
+
+
+def of_mesh(path):
+    """Its arrays; numbers of vertices that are there."""
+    from sss_ref.mesh.mesh_file import load_mesh
+
+    mesh = load_mesh(path)
+    assert mesh.triangles.min() >= 0 and mesh.triangles.max() < len(mesh.positions)
+    return list(facts("mesh", of_arrays(mesh)))
+
+
+def of_dump(path):
+    """The buffers of a folder; NaN in them is the shader's, and counted."""
+    return _buffers(path.parent)
+
+
+def of_mapping(path):
+    """The buffers that a mapping file names."""
+    return _buffers(path)
+
+
+def _buffers(path):
+    from sss_ref.dump.read import read_dump
+
+    buffers = read_dump(path, dumped_scene()).buffers
+    found = [(name, buffer.data.tobytes(), buffer.encoding, len(buffer.notes)) for name, buffer in buffers.items()]
+    assert all(bool(buffer.not_finite) == any("NaN" in note for note in buffer.notes) for buffer in buffers.values())
+    return [("dump", found, True)]
+
+
+def dumped_scene(made=[]):  # noqa: B006
+    """The scene that dumps are of."""
+    from sss_ref.scene.load import load_scene
+
+    if not made:
+        folder = Path(tempfile.mkdtemp())
+        (folder / "tetrahedron.obj").write_text(TETRAHEDRON)
+        (folder / "a.toml").write_text(SCENE)
+        made.append(load_scene(folder / "a.toml"))
+        shutil.rmtree(folder)
+    return made[0]
+
+
+def of_profile(path):
+    """A processor's bounds: infinity is one."""
+    from sss_ref.validation.profile_file import profile_of
+
+    return [(name, content, content != "nan") for name, content, _ in facts("profile", profile_of(path))]
+
+
+def of_manifest(path):
+    """What a manifest says."""
+    from sss_ref.results.manifest import read_manifest
+
+    return list(facts("manifest", read_manifest(path.parent)))
+
+
+def of_sweep(path):
+    """A sweep as far as its file says it."""
+    from sss_ref.batch.sweep_file import read_sweep
+
+    return list(facts("sweep", read_sweep(path).model_dump(exclude={"scene"})))
+
+
+def of_bundle(path):
+    """The scene in a folder that is a bundle."""
+    return of_scene(path.parent)
+
+
+KINDS = {
+    "scene": of_scene,
+    "mesh": of_mesh,
+    "dump": of_dump,
+    "mapping": of_mapping,
+    "profile": of_profile,
+    "manifest": of_manifest,
+    "sweep": of_sweep,
+    "bundle": of_bundle,
+}
