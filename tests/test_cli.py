@@ -210,9 +210,10 @@ def test_interrupt(monkeypatch, out):
     assert exit_.value.code == 130
 
 
-def test_as_a_process(tmp_path):
+@pytest.mark.parametrize("module", ["sss_ref", "sss_ref.cli"])
+def test_as_a_process(tmp_path, module):
     environment = {**os.environ, "PYTHONPATH": str(Path(sss_ref.__file__).parents[1])}
-    command = [sys.executable, "-m", "sss_ref.cli", "render", "nowhere.toml", "-o", str(tmp_path / "out")]
+    command = [sys.executable, "-m", module, "render", "nowhere.toml", "-o", str(tmp_path / "out")]
     done = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
     assert done.returncode == 2 and done.stdout == ""
     assert "error: nowhere.toml: expected a scene file" in done.stderr and "Traceback" not in done.stderr

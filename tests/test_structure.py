@@ -39,6 +39,7 @@ ROOMS = [  # from the ground up: whoever stands higher imports from those below
         "validation",
     ),
     *("gl", "webgl", "webgpu", "viewer", "course", "cli", "pytest_plugin"),
+    "__main__",
 ]
 BACK_DOORS = {("sss_ref.rendering.result", "results")}  # Result.save
 

@@ -1,4 +1,4 @@
-"""`python -m sss_ref.cli`: the command line where the package is on the path but not installed."""
+"""`python -m sss_ref.cli` is `python -m sss_ref`."""
 
 from sss_ref.cli.own_process import run
 
