@@ -8,8 +8,10 @@ from PIL import Image
 
 from sss_ref.batch.executors import serially
 from sss_ref.batch.film import has_encoder
+from sss_ref.batch.run import Batch
+from sss_ref.batch.workshop import ItemOutcome
 from sss_ref.cli import batch_commands, main
-from sss_ref.cli.batch_commands import _executor
+from sss_ref.cli.batch_commands import _executor, _told
 
 SWEEP = """
 scene = "scene.toml"
@@ -41,6 +43,13 @@ def test_a_failing_item_is_told_at_the_end_and_the_rest_is_done(sweep, tmp_path,
     assert re.fullmatch(r"5 of 5 items, 3 failed", lines[-3])
     assert told.out == f"2 rendered, 0 were there, 3 failed: {tmp_path / 'out' / 'items.csv'}\n"
     assert (tmp_path / "out" / "items.csv").read_text().count("\n") == 6
+
+
+def test_items_that_fail_alike_are_told_once(tmp_path, capsys):
+    """Also where the message begins with the item's number."""
+    failed = tuple(ItemOutcome(n, "failed", message=f"item {n}: expected a picture, got none; a") for n in (0, 2))
+    assert _told(Batch(tmp_path, failed, (tmp_path / "items.csv",))) == 1
+    assert capsys.readouterr().err == "failed: item 0, 2: expected a picture, got none; a\n"
 
 
 def test_a_second_run_renders_what_is_missing(sweep, tmp_path, capsys):

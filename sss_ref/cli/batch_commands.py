@@ -194,8 +194,9 @@ def _progress(items: int) -> "Iterator[Callable[[ItemOutcome], None]]":
 def _told(done: "Batch") -> int:
     """Print what failed, each message once, and what there is; the exit code."""
     failed = done.of_state("failed")
-    for message, count in Counter(each.message for each in failed).items():
-        items = [str(each.item) for each in failed if each.message == message]
+    said = {each.item: each.message.removeprefix(f"item {each.item}: ") for each in failed}
+    for message, count in Counter(said.values()).items():
+        items = [str(item) for item, own in said.items() if own == message]
         more = f" and {count - SHOWN_ITEMS} more" if count > SHOWN_ITEMS else ""
         err.print(f"[red]failed: item {', '.join(items[:SHOWN_ITEMS])}{more}:[/] {escape(message)}")
     states = ", ".join(f"{len(done.of_state(state))} {said}" for state, said in STATES.items())
