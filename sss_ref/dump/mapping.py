@@ -22,6 +22,7 @@ from sss_ref.errors.wording import described, unmet
 from sss_ref.scene_file.quantities import Number, Size, Table, requiring
 
 EXPECTED = "a folder of buffers or a mapping file"
+LONGEST_NAME = 1000
 NEEDS_MAPPING = "[height, width] or [height, width, channels]"
 
 
@@ -87,6 +88,8 @@ class BufferTable(Table):
     def _is_known(cls, file: str) -> str:
         if Path(file).suffix.lower() not in SUFFIXES:
             raise unmet(f"a file name ending in {', '.join(SUFFIXES)}", "convert the file")
+        if len(file) > LONGEST_NAME:
+            raise unmet(f"a file name of at most {LONGEST_NAME} characters", "move the file nearer")
         return file
 
     @field_validator("shape", "dtype")

@@ -163,3 +163,11 @@ def test_arbitrary_tables_raise_nothing_else(tmp_path, keys, tail):
         (tmp_path / "m.toml").write_bytes(data)
         with contextlib.suppress(DumpError):
             read_mapping(tmp_path / "m.toml")
+
+
+def test_a_file_name_has_a_limit(tmp_path):
+    (tmp_path / "m.toml").write_text(f"[buffers.uv]\nfile = '{'a' * 996}.npy'")
+    assert len(read_mapping(tmp_path / "m.toml").buffers["uv"].file) == 1000
+    (line,) = refusal(tmp_path, f"[buffers.uv]\nfile = '{'a' * 997}.npy'")
+    assert line.startswith("buffers.uv.file: expected a file name of at most 1000 characters, got ")
+    assert len(line) < 200
