@@ -27,7 +27,7 @@ MEMORY = 2 * 2**30  # bytes that reading may take
 HARD_MEMORY = 16 * 2**30  # bytes at which the process gives up
 HARMLESS_SHARE = 0.15
 MOST_CHANGES = 3
-LONGEST_LINE = 1500  # characters of a message, without the path
+LONGEST_LINE = 2500  # characters of a message, without the path
 A_LINE = re.compile(r".+: expected .+, got .+")
 
 
@@ -132,6 +132,7 @@ def outcome(valid, files, folder):
     try:
         with warnings.catch_warnings(record=True) as said:
             warnings.simplefilter("always")
+            warnings.simplefilter("ignore", DeprecationWarning)  # as Python does for those who only use a library
             found, came = KINDS[valid.kind](folder / valid.first), "read"
         fault = "; ".join(infinite(found)) or None
     except Exception as error:
