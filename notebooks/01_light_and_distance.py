@@ -27,8 +27,8 @@ import math
 import numpy as np
 
 import sss_ref
-from sss_ref.course import checks, figures, small_scenes
-from sss_ref.language import vec3
+from sss_ref.course import checks, figures, small_scenes, together
+from sss_ref.language import length, vec3
 from sss_ref.methods.published import byte_targets as encoding
 from sss_ref.passes import irradiance, phong, shadow_map
 
@@ -139,7 +139,9 @@ def seen_from(azimuth, height):
 figures.Sliders(seen_from, azimuth=(-180, 60, 180), height=(-2, 1.5, 3))
 
 # %% [markdown]
-# ## Exercise
+# ## Exercises
+#
+# ### A line
 #
 # A game engine gives you a depth buffer of the light: for every ray, the *depth* of what it hit. Give back the
 # *distance* that the paper's shadow map would store, for a ray at `angle` radians off the light's axis.
@@ -151,3 +153,36 @@ def answer(depth, angle):
 
 
 checks.verdict(checks.distance_of_a_wall, answer)
+
+# %% [markdown]
+# ### A stage
+#
+# A stage's first line is its contract: what it reads, by name and type, and what it writes. Let the light spread, as
+# the inverse square law says: `light_color` times `light_intensity` is what arrives at distance 1. The picture on the
+# left is the right one.
+
+
+# %%
+def falloff(
+    position_world: vec3, light_position: vec3, light_color: vec3, light_intensity: float
+) -> phong.IncidentLight:
+    distance = length(position_world - light_position)
+    return phong.IncidentLight(light_color * (light_intensity / distance))  # change this line
+
+
+checks.verdict(checks.light_that_spreads, falloff)
+together.right_and_yours(checks.light_that_spreads, falloff, HEAD)
+
+# %% [markdown]
+# ### A shader
+#
+# The same in the language of graphics processors, GLSL: types stand before names, and every statement ends with a
+# semicolon. It is compiled and run by this machine's OpenGL. Lambert's factor is never negative.
+
+# %%
+LAMBERT = """
+float lambert(vec3 normal, vec3 to_light) {
+    return dot(normal, to_light);  // change this line
+}
+"""
+checks.verdict(checks.lambert_in_glsl, LAMBERT)

@@ -23,8 +23,9 @@
 import numpy as np
 
 import sss_ref
-from sss_ref.course import checks, figures, small_scenes
+from sss_ref.course import checks, figures, small_scenes, together
 from sss_ref.course.rerun import rerun
+from sss_ref.language import length, vec3
 from sss_ref.passes import shadow_map
 from sss_ref.raster.coverage import at, edge_function, owns_its_samples
 
@@ -192,7 +193,9 @@ def speckled(bias, texels):
 figures.Sliders(speckled, bias=(0, 0.25, 4), texels=(64, 256, 1024))
 
 # %% [markdown]
-# ## Exercise
+# ## Exercises
+#
+# ### A line
 #
 # `edges` holds the three edge functions at a sample, `left_or_bottom` whether each edge owns what lies on it. Say
 # whether the triangle covers the sample, so that neighbours neither overlap nor leave a gap.
@@ -204,3 +207,33 @@ def answer(edges, left_or_bottom):
 
 
 checks.verdict(checks.cover_once, answer)
+
+# %% [markdown]
+# ### A stage
+#
+# The simplest bias is one number for the whole map. Lit is what lies no further behind the stored surface than
+# `bias_abs`.
+
+
+# %%
+def lit(position_world: vec3, light_position: vec3, stored_distance: float, bias_abs: float) -> shadow_map.DirectlyLit:
+    distance = length(position_world - light_position)
+    return shadow_map.DirectlyLit(distance - stored_distance >= bias_abs)  # change this line
+
+
+checks.verdict(checks.lit_within_a_bias, lit)
+together.right_and_yours(checks.lit_within_a_bias, lit, HEAD)
+
+# %% [markdown]
+# ### A shader
+#
+# The light's matrix has brought a fragment into clip space, where the map reaches from $-w$ to $w$ in $x$ and $y$.
+# Give its texture coordinates, 0 to 1.
+
+# %%
+MAP = """
+vec2 map_coordinates(vec4 clip) {
+    return clip.xy * 0.5 + 0.5;  // change this line
+}
+"""
+checks.verdict(checks.map_coordinates_in_glsl, MAP)

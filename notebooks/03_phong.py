@@ -23,9 +23,9 @@
 import numpy as np
 
 import sss_ref
-from sss_ref.course import checks, figures, small_scenes
+from sss_ref.course import checks, figures, small_scenes, together
 from sss_ref.course.rerun import rerun
-from sss_ref.language import normalize, reflect, vec3
+from sss_ref.language import dot, normalize, reflect, vec3
 from sss_ref.passes import phong
 
 HEAD = "bust"
@@ -163,7 +163,9 @@ figures.picture(axes[1], scattered.image[near], "with")
 figures.difference(axes[2], added[near], "with minus without", "linear", scattered["coverage"][near], 0.15)
 
 # %% [markdown]
-# ## Exercise
+# ## Exercises
+#
+# ### A line
 #
 # The mirror image of the light. The language has `reflect(i, n)`, which returns where a ray goes on that runs along
 # `i` and hits a mirror with the normal `n`. Both arguments here are unit; `to_light` points *to* the light.
@@ -175,3 +177,52 @@ def answer(normal, to_light):
 
 
 checks.verdict(checks.mirrored, answer)
+
+# %% [markdown]
+# ### A stage
+#
+# Chalk has no highlight. Write its shading: the ambient term, shared by `light_count` lights, and the diffuse one.
+
+
+# %%
+def matt(
+    position_world: vec3,
+    normal_world: vec3,
+    albedo: vec3,
+    light_position: vec3,
+    incident_light: vec3,
+    ambient: float,
+    diffuse: float,
+    light_count: float,
+) -> phong.Phong:
+    to_light = normalize(light_position - position_world)
+    lambert = diffuse * dot(normal_world, to_light)  # change this line
+    return phong.Phong((ambient / light_count + incident_light * lambert) * albedo)
+
+
+checks.verdict(checks.matt_surface, matt)
+together.right_and_yours(checks.matt_surface, matt, HEAD)
+
+# %% [markdown]
+# ### A shader
+#
+# Every stage is also a shader: the package translates it, statement by statement. Read the one that lights this
+# notebook's head, and find the formula in it.
+
+# %%
+from sss_ref.interpret.shader import stage_source
+
+print(stage_source(phong.phong_shading, {}))
+
+# %% [markdown]
+# Now write its `highlight` yourself. The directions are unit; there is none where the light or its mirror image is
+# behind.
+
+# %%
+HIGHLIGHT = """
+float highlight(vec3 normal, vec3 to_light, vec3 to_eye, float shininess) {
+    vec3 mirrored = reflect(-to_light, normal);
+    return pow(abs(dot(to_eye, mirrored)), shininess);  // change this line, or write more
+}
+"""
+checks.verdict(checks.highlight_in_glsl, HIGHLIGHT)

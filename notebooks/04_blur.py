@@ -23,9 +23,9 @@
 import numpy as np
 
 import sss_ref
-from sss_ref.course import checks, figures, small_scenes
-from sss_ref.language import Array, Texture, ivec2
-from sss_ref.passes import blur
+from sss_ref.course import checks, figures, small_scenes, together
+from sss_ref.language import Array, Texture, ivec2, select, vec3
+from sss_ref.passes import blur, composite
 from sss_ref.scene_file.kernels import HBH09, TABLE1
 
 HEAD = "bust"
@@ -173,12 +173,14 @@ for panel, result, title in zip(axes, results, masks.values(), strict=True):
 
 # %%
 for result, name in zip(results, masks.values(), strict=True):
-    beside = result["scattered"][~inside].sum() / lit.sum()
+    outside = result["scattered"][~inside].sum() / lit.sum()
     kept = result["scattered"][rim].sum() / lit[rim].sum()
-    print(f"{name:20s} {beside:5.2%} of all light beside the head, the rim keeps {kept:.0%}")
+    print(f"{name:20s} {outside:5.2%} of all light beside the head, the rim keeps {kept:.0%}")
 
 # %% [markdown]
-# ## Exercise
+# ## Exercises
+#
+# ### A line
 #
 # Make any kernel keep its colour: given `weights`, an array with thirteen rows and a column for each of red, green
 # and blue, return weights with which a white surface stays white.
@@ -190,3 +192,32 @@ def answer(weights):
 
 
 checks.verdict(checks.colour_kept, answer)
+
+# %% [markdown]
+# ### A stage
+#
+# The stencil on output: the blurred model where the pixel is `coverage`d by it, the `background` elsewhere. The
+# language chooses with `select(condition, where_true, where_false)`.
+
+
+# %%
+def over(scattered: vec3, coverage: bool, background: vec3) -> composite.Image:
+    return composite.Image(select(coverage, background, scattered))  # change this line
+
+
+checks.verdict(checks.stencilled, over)
+together.right_and_yours(checks.stencilled, over, HEAD)
+
+# %% [markdown]
+# ### A shader
+#
+# The stencil on every tap: `total` is the weighted light of the taps that lie on the model, `kept` the sum of their
+# weights and `all_weights` the sum of all thirteen. Give the light that all thirteen would have found.
+
+# %%
+RENORMALIZED = """
+vec3 renormalized(vec3 total, vec3 kept, vec3 all_weights) {
+    return total;  // change this line
+}
+"""
+checks.verdict(checks.weight_given_back_in_glsl, RENORMALIZED)

@@ -23,9 +23,9 @@
 import numpy as np
 
 import sss_ref
-from sss_ref.course import checks, figures, small_scenes
+from sss_ref.course import checks, figures, small_scenes, together
 from sss_ref.course.rerun import rerun
-from sss_ref.language import normalize, vec2, vec3
+from sss_ref.language import length, normalize, select, vec2, vec3
 from sss_ref.passes import shadow_map, translucency
 from sss_ref.pictures.png_file import plain8
 
@@ -226,7 +226,9 @@ print(f"T would be {too_dark.mean():.3f} times as large; 2^0.6 = {2**0.6:.3f}")
 assert np.allclose(too_dark, 2**0.6, rtol=1e-4)
 
 # %% [markdown]
-# ## Exercise
+# ## Exercises
+#
+# ### A line
 #
 # A ray tracer knows more: the distances from the light at which a ray goes in, out, in, out ... of bodies. How long
 # is its way *inside*? (The last crossing is the fragment, on the way out.)
@@ -238,3 +240,35 @@ def answer(crossings):
 
 
 checks.verdict(checks.way_inside, answer)
+
+# %% [markdown]
+# ### A stage
+#
+# The heart of the paper. Give $E$, where the light entered, and the way from there to the fragment; where the map
+# holds nothing (`shadow_valid` is false) the light enters at the fragment itself.
+
+
+# %%
+def behind(
+    position_world: vec3, light_position: vec3, stored_distance: float, shadow_valid: bool
+) -> shadow_map.BackPoint:
+    direction = position_world - light_position  # change these lines
+    entry_point = select(shadow_valid, light_position + direction * stored_distance, position_world)
+    return shadow_map.BackPoint(entry_point, length(position_world - light_position))
+
+
+checks.verdict(checks.where_light_entered, behind)
+together.right_and_yours(checks.where_light_entered, behind, HEAD)
+
+# %% [markdown]
+# ### A shader
+#
+# The ratio $x^y / d^{\,\text{exponent}}$, with a $d$ that does not fall below `d_min`.
+
+# %%
+RATIO = """
+float translucency(float thickness, float x, float y, float exponent, float d_min) {
+    return pow(x, y) / (thickness * exponent);  // change this line
+}
+"""
+checks.verdict(checks.ratio_in_glsl, RATIO)

@@ -23,7 +23,7 @@
 import numpy as np
 
 import sss_ref
-from sss_ref.course import checks, figures, small_scenes
+from sss_ref.course import checks, figures, small_scenes, together
 from sss_ref.language import mat3, mat4, vec2, vec3
 from sss_ref.mesh.uv_facts import uv_facts
 from sss_ref.passes import texture_image, vertex
@@ -203,7 +203,9 @@ def in_texture_space(azimuth, scale, dilate):
 figures.Sliders(in_texture_space, azimuth=(-180, 65, 180), scale=(0, 2, 8), dilate=(0, 8, 16))
 
 # %% [markdown]
-# ## Exercise
+# ## Exercises
+#
+# ### A line
 #
 # In which column of a map with `width` columns does `u` lie? It is between 0 and 1, both included.
 
@@ -214,3 +216,31 @@ def answer(u, width):
 
 
 checks.verdict(checks.texel_that_holds, answer)
+
+# %% [markdown]
+# ### A stage
+#
+# The picture of paper 2.2, from the irradiance $i$ and the Phong colour $c$. Both work component by component, and so
+# do `sqrt` and `max`; a root needs what is not negative.
+
+
+# %%
+def mixed(irradiance_used: vec3, phong: vec3) -> texture_image.Image:
+    return texture_image.Image(irradiance_used * phong)  # change this line
+
+
+checks.verdict(checks.mixed_with_phong, mixed)
+together.right_and_yours(checks.mixed_with_phong, mixed, HEAD)
+
+# %% [markdown]
+# ### A shader
+#
+# Listing 1 of the paper in one line: the clip position at which a vertex with these texture coordinates is drawn.
+
+# %%
+LAYOUT = """
+vec4 layout_position(vec2 uv) {
+    return vec4(uv, 0.0, 1.0);  // change this line
+}
+"""
+checks.verdict(checks.layout_in_glsl, LAYOUT)

@@ -23,7 +23,9 @@
 import numpy as np
 
 import sss_ref
-from sss_ref.course import checks, figures, small_scenes
+from sss_ref.course import checks, figures, small_scenes, together
+from sss_ref.language import vec3
+from sss_ref.passes.composite import Image
 from sss_ref.scene_file.kernels import HBH09
 
 HEAD = "bust"
@@ -183,7 +185,9 @@ for method, mask in zip(METHODS, ("coverage", "irradiance_mask"), strict=True):
 # | needs | the picture alone | UVs without overlap |
 # | one shadow map for each light | yes | yes |
 #
-# ## Exercise
+# ## Exercises
+#
+# ### A line
 #
 # The light in your material goes 2 mm; so the kernel has to be scaled. How wide on the body, in scene units, is a
 # blur of so many `pixels`, at a `distance` from a camera with the vertical angle `fov_y` (in degrees) and `height`
@@ -196,3 +200,33 @@ def answer(pixels, distance, fov_y, height):
 
 
 checks.verdict(checks.blur_on_the_body, answer)
+
+# %% [markdown]
+# ### A stage
+#
+# Texture space can keep the albedo sharp: light is blurred, and reflected afterwards. Add the light from everywhere
+# (`ambient`), the blurred one (`irradiance_used`) and the mirrored one (`gloss`), and reflect them.
+
+
+# %%
+def reflected(irradiance_used: vec3, gloss: vec3, ambient: float, albedo: vec3) -> Image:
+    return Image((ambient + irradiance_used) * albedo + gloss)  # change this line
+
+
+checks.verdict(checks.albedo_after_the_blur, reflected)
+together.right_and_yours(checks.albedo_after_the_blur, reflected, HEAD)
+
+# %% [markdown]
+# (The package's highlights are the albedo's colour, as metal's are; other programs leave them white.)
+#
+# ### A shader
+#
+# A remedy for screen space: a tap is a stranger if its point lies further away on the body than `allowed`. Say so.
+
+# %%
+STRANGER = """
+bool stranger(vec3 here, vec3 there, float allowed) {
+    return there.z - here.z > allowed;  // change this line
+}
+"""
+checks.verdict(checks.stranger_in_glsl, STRANGER)

@@ -23,9 +23,10 @@
 import numpy as np
 
 import sss_ref
-from sss_ref.course import checks, figures, small_scenes
+from sss_ref.course import checks, figures, small_scenes, together
 from sss_ref.course.rerun import inputs_of
-from sss_ref.language import dot, normalize, pow, vec3
+from sss_ref.language import dot, normalize, pow, sqrt, vec3
+from sss_ref.passes import shadow_map
 from sss_ref.results.diff import bits
 
 HEAD = "bust"
@@ -203,7 +204,9 @@ for panel, (name, stage) in zip(axes, stages.items(), strict=True):
 # have none either where the light falls directly: there $T$ is 1 or 0 without any computation. Phong's band is narrow
 # where it is a sum of two simple terms, and swells in the highlight, where the 32nd power joins.
 #
-# ## Exercise
+# ## Exercises
+#
+# ### A line
 #
 # Differences are counted in ULP all over the next notebook. Given two positive float32, how many steps lead from one
 # to the other? (`a.view(np.int32)` is the bit pattern of `a` as a whole number.)
@@ -215,3 +218,33 @@ def answer(a, b):
 
 
 checks.verdict(checks.ulps_between, answer)
+
+# %% [markdown]
+# ### A stage
+#
+# Judged to the last bit: the distance to the light, from its components. Your formula is right; its bits are not yet
+# the package's.
+
+
+# %%
+def far(fragment_position: vec3, light_position: vec3) -> shadow_map.LightDistance:
+    way = fragment_position - light_position
+    return shadow_map.LightDistance(sqrt(way.x * way.x + (way.y * way.y + way.z * way.z)))  # change this line
+
+
+checks.verdict(checks.same_bits, far)
+together.right_and_yours(checks.same_bits, far, HEAD)
+
+# %% [markdown]
+# ### A shader
+#
+# $a^2 - b^2$ for two numbers that are nearly the same. Each square is rounded, and what is left of their difference is
+# mostly those roundings. The answer needs no more than 21 right bits.
+
+# %%
+SQUARES = """
+float difference_of_squares(float a, float b) {
+    return a * a - b * b;  // change this line
+}
+"""
+checks.verdict(checks.difference_of_squares_in_glsl, SQUARES)

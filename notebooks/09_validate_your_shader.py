@@ -24,8 +24,10 @@ from dataclasses import replace
 import numpy as np
 
 import sss_ref
-from sss_ref.course import checks, figures, small_scenes
+from sss_ref.course import checks, figures, small_scenes, together
 from sss_ref.course.dumps import three_dumps
+from sss_ref.language import dot, max, normalize, select, vec3
+from sss_ref.passes.irradiance import Irradiance
 from sss_ref.results.diff import differing_pixels
 
 HEAD = "bust"
@@ -185,7 +187,9 @@ assert culprit.stage == "translucency_ratio"
 # With your own renderer: save each buffer as `NAME.npy` into a folder and run `sss-ref validate`, which does all of
 # this and writes a page with the pictures.
 #
-# ## Exercise
+# ## Exercises
+#
+# ### A line
 #
 # Three dumps, by processors that promise what Vulkan asks: `dumps["A"].buffers`, and so for B and C. `reference` is
 # the oracle's rendering of the same scene. One of the three is right, although its bits are not the oracle's. For each
@@ -205,3 +209,41 @@ def answer():
 
 
 checks.verdict(checks.wrong_stages, answer)
+
+# %% [markdown]
+# ### A stage
+#
+# A colleague's Lambert, with two mistakes. A fragment gets light where it is lit directly, and where the shadow map
+# knows nothing of it.
+
+
+# %%
+def mended(
+    position_world: vec3,
+    normal_world: vec3,
+    light_position: vec3,
+    incident_light: vec3,
+    directly_lit: bool,
+    shadow_valid: bool,
+) -> Irradiance:
+    to_light = normalize(position_world - light_position)
+    facing = max(dot(normal_world, to_light), 0.0)
+    return Irradiance(incident_light * select(directly_lit, facing, select(shadow_valid, facing, 0.0)))
+
+
+checks.verdict(checks.mended_lambert, mended)
+together.right_and_yours(checks.mended_lambert, mended, HEAD)
+
+# %% [markdown]
+# ### A shader
+#
+# And the last line of many a renderer: a linear value encoded for a screen (sRGB). Two mistakes here, too; both make a
+# picture that looks like one.
+
+# %%
+ENCODED = """
+float encoded(float linear) {
+    return linear <= 0.04045 ? 12.92 * linear : 1.055 * pow(linear, 2.4) - 0.055;
+}
+"""
+checks.verdict(checks.mended_srgb_in_glsl, ENCODED)

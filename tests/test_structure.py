@@ -120,7 +120,7 @@ def test_no_test_is_imported_by_another():
 
 OUTSIDE = [
     path
-    for folder in ("benchmarks", "data/generate", "docs", "examples", "notebooks")
+    for folder in ("benchmarks", "data/generate", "docs", "examples", "notebooks", "solutions")
     for path in sorted((ROOT / folder).rglob("*.py"))
     if "_build" not in path.parts
 ]

@@ -5,8 +5,6 @@ from sss_ref.course import small_scenes
 from sss_ref.language import dot, max, normalize, stage, vec3
 from sss_ref.passes.phong import Phong, highlight
 
-WRONG_STAGE = {"A": "shadow_lookup_nearest", "B": None, "C": "scatter_inside"}
-
 
 @stage(source="paper 3.2, after Phong 1975")
 def phong_regrouped(

@@ -64,7 +64,7 @@ def row(count: int, height: float = 3.3, width: float | None = None) -> tuple[Fi
 def picture(axes: Axes, image: np.ndarray, title: str, encode: Callable[[np.ndarray], np.ndarray] = srgb8) -> None:
     """A linear RGB image (H, W, 3) of any float type, encoded for a screen."""
     axes.imshow(encode(image.astype(np.float32)))
-    _bare(axes, title)
+    bare(axes, title)
 
 
 def values(
@@ -80,7 +80,7 @@ def values(
     low, high = limits or (shown.min(), shown.max())
     drawn = axes.imshow(shown, cmap=RISING, vmin=low, vmax=high)
     plt.colorbar(drawn, ax=axes, label=unit, shrink=0.75)
-    _bare(axes, title)
+    bare(axes, title)
 
 
 def difference(axes: Axes, field: np.ndarray, title: str, unit: str, where: np.ndarray, limit: float) -> None:
@@ -88,7 +88,7 @@ def difference(axes: Axes, field: np.ndarray, title: str, unit: str, where: np.n
     shown = np.ma.masked_array(field, where == 0)
     drawn = axes.imshow(shown, cmap=SIGNED, vmin=-limit, vmax=limit)
     plt.colorbar(drawn, ax=axes, label=unit, shrink=0.75)
-    _bare(axes, title)
+    bare(axes, title)
 
 
 def samples(axes: Axes, count: np.ndarray, outline: Sequence[tuple[int, int]], title: str) -> None:
@@ -97,25 +97,25 @@ def samples(axes: Axes, count: np.ndarray, outline: Sequence[tuple[int, int]], t
     rows, columns = np.indices(count.shape)
     axes.scatter(columns, rows, s=5, c=np.where(count.ravel() > 0, INK, FAINT), linewidths=0)
     axes.plot(*zip(*outline, outline[0], strict=True), color=BLUE, linewidth=1.4)
-    _bare(axes, title)
+    bare(axes, title)
 
 
 def triangles(axes: Axes, index: np.ndarray, title: str) -> None:
     """Which triangle each pixel (H, W) sees, every one in a colour of its own; -1: none."""
     axes.imshow(np.where(index[..., None] >= 0, hashed_colours(index), np.uint8(234)))
-    _bare(axes, title)
+    bare(axes, title)
 
 
 def directions(axes: Axes, vectors: np.ndarray, title: str, where: np.ndarray) -> None:
     """A unit vector for every pixel (H, W, 3) as the colour (v + 1)/2."""
     axes.imshow(np.where(where[..., None] != 0, (vectors + 1) / 2, 0.92))
-    _bare(axes, title)
+    bare(axes, title)
 
 
 def texture_coordinates(axes: Axes, uv: np.ndarray, title: str, where: np.ndarray) -> None:
     """A texture coordinate for every pixel (H, W, 2) as red and green."""
     axes.imshow(np.where(where[..., None] != 0, uv_colours(uv), np.uint8(234)))
-    _bare(axes, title)
+    bare(axes, title)
 
 
 def taps(axes: Axes, offsets: np.ndarray, weights: np.ndarray, title: str, color: str) -> None:
@@ -147,7 +147,7 @@ def ways_through_a_disk(light: vec3, entry: vec3, fragment: vec3) -> None:
     for text, place in (("$L$", (light.x, 0.15)), ("$E$", (-0.95, 0.75)), ("$P$", (0.75, 0.95))):
         axes.annotate(text, place, ha="center", fontsize=12)
     axes.set(aspect="equal", xlim=(-3.3, 1.4), ylim=(-1.15, 1.25))
-    _bare(axes, "Amber: the stored distance $t$. Red: the thickness $d$.")
+    bare(axes, "Amber: the stored distance $t$. Red: the thickness $d$.")
 
 
 def layout(axes: Axes, uvs: np.ndarray, triangles: np.ndarray, title: str) -> None:
@@ -228,7 +228,8 @@ def explained(explanation: Explanation, stage: str) -> HTML:
     return HTML(html(sections(explanation.passes, stage)))
 
 
-def _bare(axes: Axes, title: str) -> None:
+def bare(axes: Axes, title: str) -> None:
+    """Axes without ticks and frame, for what is a picture."""
     axes.set(title=title, xticks=[], yticks=[])
     axes.spines[:].set_visible(False)
 

@@ -1,16 +1,21 @@
 """The exercises of lesson 10: diffusion."""
 
 import math
-from collections.abc import Callable
+from typing import Any
 
-from sss_ref.course.checks.answers import NotYet, near
+from sss_ref.course.checks.answers import NotYet, called, near
+from sss_ref.course.checks.kinds import NUMBER
 from sss_ref.truth.chandrasekhar import half_space_reflectance
 
 
-def free_path(answer: Callable[[float, float], float]) -> None:
-    """10: the free path, in mm, that belongs to an even random number, for an extinction per mm."""
+def free_path(answer: Any) -> None:
+    """A line: the free path, in mm, that belongs to an even random number, for an extinction per mm."""
     chances, extinctions = (0.1, 0.25, 0.5, 0.9), (0.5, 1.0, 2.5)
-    got = {(chance, extinction): answer(chance, extinction) for extinction in extinctions for chance in chances}
+    got = {
+        (chance, extinction): called(answer, NUMBER, chance, extinction)
+        for extinction in extinctions
+        for chance in chances
+    }
     if min(got.values()) < 0:
         raise NotYet("a path has a length of 0 or more, and yours has less.")
     going = {key: math.exp(-key[1] * path) for key, path in got.items()}
@@ -25,11 +30,11 @@ def free_path(answer: Callable[[float, float], float]) -> None:
     )
 
 
-def photons_needed(answer: Callable[[float, float], float]) -> None:
-    """10: the number of photons for which a share is known to a relative standard error."""
+def photons_needed(answer: Any) -> None:
+    """A line: the number of photons for which a share is known to a relative standard error."""
     for share, relative in [(0.5, 0.01), (0.5, 0.1), (0.9, 0.01), (0.01, 0.1)]:
         expected = (1 - share) / share / relative**2
-        got = answer(share, relative)
+        got = called(answer, NUMBER, share, relative)
         if abs(got - expected) > 1 + 1e-5 * expected:  # rounded up to a whole photon, or not
             error = math.sqrt(share * (1 - share) / got) if got > 0 else math.inf
             raise NotYet(
@@ -38,10 +43,10 @@ def photons_needed(answer: Callable[[float, float], float]) -> None:
             )
 
 
-def albedo_of(answer: Callable[[float], float]) -> None:
-    """10: the albedo of the half-space without border that gives back a share of the light, to a thousandth of it."""
+def albedo_of(answer: Any) -> None:
+    """A line: the albedo of the half-space without border that gives back a share of the light, to a thousandth."""
     for reflectance in (0.1, 0.3, 0.6, 0.85, 0.95):
-        got = answer(reflectance)
+        got = called(answer, NUMBER, reflectance)
         if not 0 <= got < 1:
             raise NotYet(f"an albedo is at least 0 and less than 1, and for {reflectance:g} yours is {got:g}.")
         back = half_space_reflectance(got)

@@ -1,20 +1,18 @@
 """The exercises of lesson 11: taps and thickness."""
 
 import math
-from collections.abc import Callable
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from sss_ref.course.checks.answers import NotYet, near
-
-FloatArray = NDArray[np.float64]
+from sss_ref.course.checks.answers import NotYet, called, near
+from sss_ref.course.checks.kinds import NUMBER
 
 
-def blurred_twice(answer: Callable[[float, float], float]) -> None:
-    """11: the standard deviation of the Gaussian that is as wide as two after each other."""
+def blurred_twice(answer: Any) -> None:
+    """A line: the standard deviation of the Gaussian that is as wide as two after each other."""
     for first, second in [(3.0, 4.0), (1.0, 1.0), (0.5, 2.0)]:
-        expected, got = math.hypot(first, second), answer(first, second)
+        expected, got = math.hypot(first, second), called(answer, NUMBER, first, second)
         if not near(got, expected):
             too = "wide" if got > expected else "narrow"
             raise NotYet(
@@ -23,13 +21,13 @@ def blurred_twice(answer: Callable[[float, float], float]) -> None:
             )
 
 
-def millimetres_per_offset(answer: Callable[[FloatArray, FloatArray, float], float]) -> None:
-    """11: the scale that gives a kernel a root mean square radius in mm."""
+def millimetres_per_offset(answer: Any) -> None:
+    """A line: the scale that gives a kernel a root mean square radius in mm."""
     generator = np.random.default_rng(11)
     for total in (1.0, 1.0, 2.5):
         distances, weights = generator.uniform(0.0, 6.0, 13), generator.dirichlet(np.ones(13)) * total
         spread = math.sqrt(float((weights * distances**2).sum()) / total)
-        got = float(answer(distances.copy(), weights.copy(), 4.0))
+        got = called(answer, NUMBER, distances.copy(), weights.copy(), 4.0)
         if not near(got, 4.0 / spread):
             summed = "" if total == 1.0 else f", whose weights sum to {total:g},"
             raise NotYet(
@@ -38,13 +36,13 @@ def millimetres_per_offset(answer: Callable[[FloatArray, FloatArray, float], flo
             )
 
 
-def exponent_between(answer: Callable[[float, float, float, float], float]) -> None:
-    """11: the power p of 1/d^p by which T falls between two thicknesses."""
+def exponent_between(answer: Any) -> None:
+    """A line: the power p of 1/d^p by which T falls between two thicknesses."""
     e = math.exp
     cases = [(1.0, 0.5, 2.0, 0.5 / 2**0.6), (0.5, 0.8, 4.0, 0.1), (1.0, e(-1), 3.0, e(-3)), (2.0, 0.3, 3.0, 0.3)]
     for thin, through_thin, thick, through_thick in cases:
         expected = math.log(through_thin / through_thick) / math.log(thick / thin)
-        got = answer(thin, through_thin, thick, through_thick)
+        got = called(answer, NUMBER, thin, through_thin, thick, through_thick)
         if not near(got, expected):
             wrong = through_thin * (thick / thin) ** -got
             raise NotYet(
