@@ -1,8 +1,7 @@
 """The page of a scene: its mesh, uniforms, textures and shaders, with the script that draws them, in one file."""
 
-import base64
 import json
-from collections.abc import Collection, Iterable
+from collections.abc import Callable, Collection, Iterable
 from html import escape
 from importlib.resources import files
 from typing import Any
@@ -15,6 +14,9 @@ from sss_ref.language.layout import CHANNELS, dtype_of
 from sss_ref.language.pipeline import Pass
 from sss_ref.mesh.triangles import Mesh
 from sss_ref.scene.scene import Scene
+from sss_ref.webgl.packing import Packed, plain
+
+Packing = Callable[[np.ndarray], Packed]
 
 KINDS = {"f": "float", "i": "int", "u": "bool"}  # kind of number -> the script's name
 
@@ -29,28 +31,34 @@ def page(scene: Scene, keep: str | Iterable[str] = "all") -> str:
     """
     folder, title = files("sss_ref.webgl"), f"sss_ref: {scene.mesh.name}"
     text = json.dumps(drawing(scene, keep)).replace("<", "\\u003c")
-    template, script = ((folder / name).read_text(encoding="utf-8") for name in ("page.html", "draw.js"))
-    return template.format(title=escape(title), scene=text, script=script)
+    template, *scripts = (
+        (folder / name).read_text(encoding="utf-8") for name in ("page.html", "drawing.js", "draw.js")
+    )
+    return template.format(title=escape(title), scene=text, script="\n".join(scripts))
 
 
 def drawing(scene: Scene, keep: str | Iterable[str]) -> dict[str, Any]:
     """All that the script needs, as JSON has it; arrays are little-endian bytes in base 64."""
-    wanted, textures = scene.kept(keep), texture_data(scene.uniforms)
+    wanted = scene.kept(keep)
     kept = [name for name in scene.method.values if name in wanted]
+    return {"passes": _passes(kept, scene), "kept": kept, **inputs(scene, plain)}
+
+
+def inputs(scene: Scene, packed: Packing) -> dict[str, Any]:
+    """What all passes read that none of them writes: meshes, uniforms and textures; and the names in the shaders."""
+    textures = texture_data(scene.uniforms)
     return {
-        "passes": _passes(kept, scene),
-        "kept": kept,
         "uniforms": {name: np.ravel(value).tolist() for name, value in scene.uniforms.items() if name not in textures},
         "names": {ESSL.name(name): name for name in (*scene.uniforms, *scene.method.values)},
-        "textures": {name: _texture(data) for name, data in textures.items()},
-        "meshes": {name: _mesh(mesh) for name, mesh in scene.meshes.items()},
+        "textures": {name: texture(data, packed) for name, data in textures.items()},
+        "meshes": {name: _mesh(mesh, packed) for name, mesh in scene.meshes.items()},
     }
 
 
-def _mesh(mesh: Mesh) -> dict[str, Any]:
+def _mesh(mesh: Mesh, packed: Packing) -> dict[str, Any]:
     """The corners of its triangles, and what the vertex shaders read of a vertex."""
-    attributes = {name: {"channels": data.shape[1], "data": _base64(data)} for name, data in mesh.attributes.items()}
-    return {"triangles": _base64(mesh.triangles), "attributes": attributes}
+    attributes = {name: {"channels": data.shape[1], "data": packed(data)} for name, data in mesh.attributes.items()}
+    return {"triangles": packed(mesh.triangles), "attributes": attributes}
 
 
 def _passes(kept: Collection[str], scene: Scene) -> list[dict[str, Any]]:
@@ -59,12 +67,12 @@ def _passes(kept: Collection[str], scene: Scene) -> list[dict[str, Any]]:
     there: set[str] = set()
     for each, read_later in scene.method.only({*kept}).in_order():
         wanted = {*kept, *read_later, *each.fed_back}
-        listed.append(_pass(each, scene) | {"draws": _draws(each, wanted, there, scene)})
+        listed.append(pass_settings(each, scene) | {"draws": _draws(each, wanted, there, scene)})
         there |= wanted & set(each.outputs)
     return listed
 
 
-def _pass(this_pass: Pass, scene: Scene) -> dict[str, Any]:
+def pass_settings(this_pass: Pass, scene: Scene) -> dict[str, Any]:
     """How a pass is drawn."""
     width, height = scene.size(this_pass)
     return {
@@ -81,27 +89,23 @@ def _draws(this_pass: Pass, wanted: Collection[str], buffers: Collection[str], s
     lengths = array_lengths(scene.uniforms)
     return [
         {
-            "name": name,
+            "name": draw,
             "vertex": vertex_shader(this_pass, lengths, ESSL),
             "fragment": fragment_shader(this_pass, buffers, outputs, lengths, ESSL),
-            "outputs": [_output(output, this_pass.values[output], scene.clear(output)) for output in outputs],
+            "outputs": [output(name, this_pass.values[name], scene.clear(name)) for name in outputs],
         }
-        for name, outputs in draws(this_pass, wanted, ESSL).items()
+        for draw, outputs in draws(this_pass, wanted, ESSL).items()
     ]
 
 
-def _output(name: str, kind: Any, clear: Any) -> dict[str, Any]:
+def output(name: str, kind: Any, clear: Any) -> dict[str, Any]:
     """A buffer and what it holds before the draw, in four channels."""
     background = np.resize(np.asarray(clear, dtype_of(kind)), 4).tolist()
     return {"name": name, "kind": KINDS[dtype_of(kind).kind], "channels": CHANNELS[kind], "background": background}
 
 
-def _texture(data: np.ndarray) -> dict[str, Any]:
+def texture(data: np.ndarray, packed: Packing) -> dict[str, Any]:
     """A texture (H, W) or (H, W, C)."""
     height, width, channels = (*data.shape, 1)[:3]
     kind = KINDS[data.dtype.kind]
-    return {"kind": kind, "channels": channels, "width": width, "height": height, "data": _base64(data)}
-
-
-def _base64(data: np.ndarray) -> str:
-    return base64.b64encode(np.ascontiguousarray(data, data.dtype.newbyteorder("<")).tobytes()).decode("ascii")
+    return {"kind": kind, "channels": channels, "width": width, "height": height, "data": packed(data)}
