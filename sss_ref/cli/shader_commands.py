@@ -10,6 +10,8 @@ from sss_ref.cli.console import out
 from sss_ref.cli.options import NO_CHANGES, Changes
 from sss_ref.errors import DumpError, SceneError
 
+SIDE = 48  # pixels: what a page judges in a few seconds
+
 if TYPE_CHECKING:
     from sss_ref.language.pipeline import Pass
     from sss_ref.language.stage import Stage
@@ -72,15 +74,30 @@ def bundle(
 def webgl(
     scene: Annotated[str, Parameter(help="A scene file, or the name of a shipped scene.")] = "default",
     *,
-    output: Annotated[Path, Parameter(alias="-o", help="The page to write.")] = Path("webgl.html"),
+    output: Annotated[
+        Path | None, Parameter(alias="-o", help="The page to write: webgl.html or judge.html.", show_default=False)
+    ] = None,
+    judge: Annotated[
+        bool, Parameter(negative="", help="Let the page judge each stage, and name the first wrong one.")
+    ] = False,
+    side: Annotated[
+        int | None,
+        Parameter(help="With --judge, pixels of the longer side of each picture; 48 if not given.", show_default=False),
+    ] = None,
     changes: Changes = NO_CHANGES,
 ) -> int:
-    """Write a page that draws a scene in a browser and offers its buffers as files."""
+    """Write a page that draws a scene in a browser and offers its buffers as files, or that judges its stages."""
     from sss_ref.scene.load import load_scene
-    from sss_ref.webgl import page
+    from sss_ref.webgl import judge_page, page, reduced
 
-    _write(output.parent, {output.name: page(load_scene(scene, **changes.overrides()))})
-    out.print(f"{output}: open it in a browser", markup=False)
+    if side is not None and not judge:
+        raise SceneError("--side: expected with --judge, got it alone; give the size of a scene's own page by --size")
+    loaded = load_scene(scene, **changes.overrides())
+    if judge:
+        loaded = load_scene(scene, **{**changes.overrides(), **reduced(loaded, side or SIDE)})
+    path = output or Path("judge.html" if judge else "webgl.html")
+    _write(path.parent, {path.name: (judge_page if judge else page)(loaded)})
+    out.print(f"{path}: open it in a browser", markup=False)
     return 0
 
 

@@ -1,0 +1,107 @@
+"""What a buffer may hold, by the least and the largest number of its own type that is right."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sss_ref.validation.accept.rebased import Check
+
+NOT_COMPARED, COMPARED, SEVERAL, UNDEFINED, BACKGROUND = range(5)  # what is known of a pixel
+SIGN = np.int64(1) << 31
+
+
+@dataclass(frozen=True, eq=False)
+class Allowed:
+    """A buffer of an exam.
+
+    middle, low, high: (H, W) or (H, W, C), of the buffer's type: what the reference has, and the least and the largest
+    number that is right. state: uint8 (H, W), `NOT_COMPARED` to `BACKGROUND`: `SEVERAL` where a processor may choose
+    one of several texels or sides, `UNDEFINED` where the reference has no number, `BACKGROUND` where nothing is drawn.
+    """
+
+    middle: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
+    state: np.ndarray
+
+    @property
+    def below(self) -> np.ndarray:
+        """How many numbers of its type lie from the least to the middle, uint32."""
+        return apart(self.low, self.middle)
+
+    @property
+    def above(self) -> np.ndarray:
+        """How many lie from the middle to the largest, uint32."""
+        return apart(self.middle, self.high)
+
+
+def allowed(check: Check) -> Allowed:
+    """What a check accepts: every number that is no further from the expected one than its reach."""
+    middle = check.expected
+    within, numbers = check.where | _outside(check), np.isfinite(middle)
+    state = np.where(check.where, np.uint8(COMPARED), np.uint8(NOT_COMPARED))
+    if check.undecided is not None:
+        state[check.where & check.undecided] = SEVERAL
+    state[_outside(check)] = BACKGROUND
+    state[within & ~_in_all_channels(numbers)] = UNDEFINED
+    reach = np.where(numbers & _spread(within, middle), check.reach, 0.0)
+    if middle.dtype.kind != "f":
+        low, high = (np.rint(middle + sign * np.floor(reach)).astype(np.int64) for sign in (-1, 1))
+        least, most = (0, 1) if middle.dtype == np.uint8 else (np.iinfo(np.int32).min, np.iinfo(np.int32).max)
+        low, high = (np.clip(end, least, most).astype(middle.dtype) for end in (low, high))
+        return Allowed(middle, low, high, state)
+    return Allowed(middle, _farthest(middle, reach, -1), _farthest(middle, reach, 1), state)
+
+
+def apart(low: np.ndarray, high: np.ndarray) -> np.ndarray:
+    """How many numbers of their type lie from one to another that is not less, uint32."""
+    steps: np.ndarray = (ordered(high) - ordered(low)).astype(np.uint32)
+    return steps
+
+
+def ordered(numbers: np.ndarray) -> np.ndarray:
+    """Numbers as integers, int64, in the same order and without gaps: of floats their bits, -0 and 0 as one."""
+    if numbers.dtype.kind != "f":
+        return numbers.astype(np.int64)
+    bits = np.ascontiguousarray(numbers).view(np.int32).astype(np.int64)
+    return np.where(bits < 0, -SIGN - bits, bits)
+
+
+def float32_within(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """The least and the largest float32 between float64 ends; the least above the largest where there is none."""
+    with np.errstate(over="ignore"):
+        least, most = low.astype(np.float32), high.astype(np.float32)
+    least = np.where(least < low, np.nextafter(least, np.float32(np.inf)), least)
+    return least, np.where(most > high, np.nextafter(most, np.float32(-np.inf)), most)
+
+
+def _farthest(middle: np.ndarray, reach: np.ndarray, side: int) -> np.ndarray:
+    """The float32 farthest to one side whose distance from the middle is at most the reach, in float64."""
+    exact, outward = middle.astype(np.float64), np.float32(side * np.inf)
+    with np.errstate(over="ignore", invalid="ignore"):
+        end = np.where(np.isinf(reach), outward, (exact + side * reach).astype(np.float32))
+        for _ in range(2):  # rounded outward, or short of a number that is still within
+            further = np.nextafter(end, outward)
+            end = np.where(_is_within(further, exact, reach), further, end)
+        for _ in range(2):
+            end = np.where(_is_within(end, exact, reach), end, np.nextafter(end, -outward))
+    return np.where(np.isfinite(middle), end, middle)
+
+
+def _is_within(numbers: np.ndarray, exact: np.ndarray, reach: np.ndarray) -> np.ndarray:
+    near: np.ndarray = np.abs(exact - numbers.astype(np.float64)) <= reach
+    return near
+
+
+def _outside(check: Check) -> np.ndarray:
+    """Bool (H, W): where its background stands."""
+    return np.zeros(check.where.shape, bool) if check.outside is None else check.outside
+
+
+def _in_all_channels(holds: np.ndarray) -> np.ndarray:
+    return holds if holds.ndim == 2 else np.logical_and.reduce(holds, axis=-1)
+
+
+def _spread(where: np.ndarray, like: np.ndarray) -> np.ndarray:
+    """A mask (H, W) for all channels of a buffer."""
+    return where if like.ndim == 2 else where[..., None]
