@@ -33,6 +33,7 @@ html_title = "sss_ref"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_js_files = [(name, {"defer": "defer"}) for name in ("rows.js", "sliders.js")]
+html_extra_path = ["generated/site"]
 html_copy_source = False
 html_show_copyright = False
 html_theme_options = {"top_of_page_buttons": []}

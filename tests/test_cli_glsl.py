@@ -5,7 +5,7 @@ from sss_ref.interpret.shader import DIALECTS, array_lengths, shader_files, stag
 from sss_ref.passes.phong import phong_shading
 from sss_ref.passes.translucency import translucency_beer
 from sss_ref.scene.load import load_scene
-from sss_ref.webgl import page
+from sss_ref.webgl import judge_page, page, reduced
 
 
 def test_a_stage_is_printed_with_what_it_uses(capsys):
@@ -74,3 +74,29 @@ def test_a_page_is_written(tmp_path, capsys):
     assert main(["webgl", "wedge", "--size", "32x16", "-o", str(path)]) == 0
     assert path.read_text() == page(load_scene("wedge", **{"camera.width": 32, "camera.height": 16}))
     assert capsys.readouterr().out == f"{path}: open it in a browser\n"
+
+
+def test_a_page_that_judges_is_written(tmp_path, capsys):
+    path = tmp_path / "judge.html"
+    assert main(["webgl", "wedge", "--judge", "--side", "16", "-o", str(path)]) == 0
+    scene = load_scene("wedge", **reduced(load_scene("wedge"), 16))
+    assert path.read_text() == judge_page(scene)
+    assert capsys.readouterr().out == f"{path}: open it in a browser\n"
+
+
+def test_pages_have_names_of_their_own(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["webgl", "wedge", "--size", "32x16"]) == main(["webgl", "wedge", "--judge", "--side", "16"]) == 0
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["judge.html", "webgl.html"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--side", "16"], "error: --side: expected with --judge, got it alone; give"),
+        (["--judge", "--side", "3"], "error: side: expected 8 to 128 pixels, got 3; "),
+    ],
+)
+def test_a_side_that_no_page_has_is_told(arguments, message, tmp_path, capsys):
+    assert main(["webgl", "wedge", *arguments, "-o", str(tmp_path / "page.html")]) == 2
+    assert capsys.readouterr().err.startswith(message)

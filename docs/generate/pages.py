@@ -6,6 +6,7 @@ from pathlib import Path
 
 import command_reference
 import course_cards
+import judge_page
 import language_reference
 import mapping_reference
 import rooms
@@ -37,7 +38,7 @@ def what_notebooks_run() -> str:
 
 
 def write(folder: Path) -> None:
-    """Write the pages and the picture of the rooms, and copy the notebooks.
+    """Write the pages, the picture of the rooms and the page that judges, and copy the notebooks.
 
     What was there before is removed.
     """
@@ -46,5 +47,8 @@ def write(folder: Path) -> None:
         page = folder / f"{name}.md"
         page.parent.mkdir(parents=True, exist_ok=True)
         page.write_text(text, encoding="utf-8")
+    site = folder / "site"
+    site.mkdir()
+    (site / "judge.html").write_text(judge_page.html(), encoding="utf-8")
     (folder / "rooms.svg").write_text(rooms.picture(), encoding="utf-8")
     shutil.copytree(NOTEBOOKS, folder / "course", ignore=shutil.ignore_patterns("__pycache__"))

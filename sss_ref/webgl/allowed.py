@@ -76,21 +76,23 @@ def float32_within(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.nd
 
 
 def _farthest(middle: np.ndarray, reach: np.ndarray, side: int) -> np.ndarray:
-    """The float32 farthest to one side whose distance from the middle is at most the reach, in float64."""
-    exact, outward = middle.astype(np.float64), np.float32(side * np.inf)
-    with np.errstate(over="ignore", invalid="ignore"):
-        end = np.where(np.isinf(reach), outward, (exact + side * reach).astype(np.float32))
-        for _ in range(2):  # rounded outward, or short of a number that is still within
-            further = np.nextafter(end, outward)
-            end = np.where(_is_within(further, exact, reach), further, end)
-        for _ in range(2):
-            end = np.where(_is_within(end, exact, reach), end, np.nextafter(end, -outward))
-    return np.where(np.isfinite(middle), end, middle)
+    """The float32 farthest to one side whose distance from the middle, in float64, is at most the reach: bisected."""
+    end = np.where(np.isinf(reach) & np.isfinite(middle), np.float32(side * np.inf), middle)
+    open_ones = (reach > 0) & np.isfinite(reach)
+    exact, most = middle[open_ones].astype(np.float64), reach[open_ones]
+    start = ordered(middle[open_ones])
+    near, far = np.zeros_like(start), ordered(np.full(start.shape, np.inf, np.float32)) - side * start
+    while (far - near > 1).any():
+        between = (near + far) // 2
+        within = np.abs(exact - _numbers(start + side * between).astype(np.float64)) <= most
+        near, far = np.where(within, between, near), np.where(within, far, between)
+    end[open_ones] = _numbers(start + side * near)
+    return end
 
 
-def _is_within(numbers: np.ndarray, exact: np.ndarray, reach: np.ndarray) -> np.ndarray:
-    near: np.ndarray = np.abs(exact - numbers.astype(np.float64)) <= reach
-    return near
+def _numbers(places: np.ndarray) -> np.ndarray:
+    """The float32 that integers stand for, as `ordered` gives them."""
+    return np.where(places < 0, -SIGN - places, places).astype(np.int32).view(np.float32)
 
 
 def _outside(check: Check) -> np.ndarray:

@@ -33,7 +33,7 @@ def forms_of_stage(scene: Scene, exam: Exam) -> Iterator[Form]:
         of_stage = Pass(alone.name, alone.target, alone.draw, (stage,))
         return fragment_shader(of_stage, exam.given, outputs, lengths, ESSL)
 
-    for name, outputs in draws(alone, alone.values, ESSL.most_outputs).items():
+    for name, outputs in draws(alone, alone.values, ESSL).items():
         draw = {
             "name": name,
             "vertex": vertex_shader(alone, lengths, ESSL),

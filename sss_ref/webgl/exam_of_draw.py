@@ -25,9 +25,9 @@ class ExamOfDraw:
     """A draw of the mesh: what each pixel may show.
 
     covered: uint8 (H, W), `MUST_NOT` to `MUST`. first: int32 (H * W + 1), where the candidates of each pixel begin.
-    triangle: int32 (M,), those that may be seen, by pixel. low, high: float32 (M, 1 + A), between these lie its depth
-    and what is interpolated on it; the low above the high where nothing is right. varyings: name -> first column.
-    reference: what the reference draws.
+    triangle: int32 (M,), those that may be seen, by pixel. low, high: float32 (M, 1 + A), between these lie its depth,
+    or in a layout its turn, and what is interpolated on it; the low above the high where nothing is right.
+    varyings: name -> first column. reference: what the reference draws.
     """
 
     of: Pass

@@ -25,7 +25,7 @@ from sss_ref.validation.accept.walk import in_rounds, untouched
 from sss_ref.webgl.allowed import Allowed, allowed
 from sss_ref.webgl.reference_draw import reference_draw
 
-WEBGL = replace(PROFILES["vulkan"], subpixel_bits=4)  # OpenGL ES 3.0 asks for 4, and more bits stay within these bounds
+WEBGL = replace(PROFILES["vulkan"], subpixel_bits=4, snap="any")  # whatever snaps to 4 bits or more stays within
 
 
 @dataclass(frozen=True, eq=False)

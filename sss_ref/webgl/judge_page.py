@@ -22,8 +22,8 @@ def judge_page(scene: Scene) -> str:
     """A page of HTML, to be opened in a browser, that draws each stage of a scene by itself, and judges it.
 
     scene: with pictures of at most 128 x 128 pixels (see `reduced`).
-    The page reads nothing but itself and sends nothing. Its inputs are the reference's; its reader may change the shader
-    of any stage, and reads which is the first that is wrong, at which pixel, and what would have been right there.
+    The page reads nothing but itself and sends nothing. Its inputs are the reference's; its reader may change the
+    shader of any stage, and reads which is the first that is wrong, at which pixel, and what would have been right.
     Raises SceneError for larger pictures, and RenderError and MeshError as `sss_ref.render` does.
     """
     _check_size(scene)
@@ -46,7 +46,7 @@ def reduced(scene: Scene, side: int) -> Mapping[str, int]:
     """
     if not LEAST <= side <= MOST:
         raise SceneError(told("side", f"{LEAST} to {MOST} pixels", str(side), "take 48, which shows most mistakes"))
-    found = {}
+    found: dict[str, int] = {}
     for each in scene.method.passes:
         size = scene.size(each)
         width, height = (max(LEAST, round(length * side / max(size))) for length in size)

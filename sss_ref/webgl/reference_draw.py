@@ -20,7 +20,8 @@ class ReferenceDraw:
     """The draw of a pass.
 
     where: bool (H, W), the pixels that hold a fragment. varyings: name -> what is interpolated there, (H, W) or
-    (H, W, C), 0 elsewhere; empty for a rectangle. written: `TRIANGLE` and `DEPTH` -> what a mesh's draw shows, (H, W).
+    (H, W, C), 0 elsewhere; empty for a rectangle. written: what a mesh's draw shows, (H, W): `TRIANGLE` and, but for a
+    layout, `DEPTH`.
     """
 
     where: np.ndarray
@@ -43,4 +44,5 @@ def reference_draw(oracle: Result, this_pass: Pass) -> ReferenceDraw:
         store(buffer, *at, values[name])
     primitives, piece = fragments.of_mesh
     triangle = np.where(piece >= 0, primitives.triangle[piece], np.int32(-1)).astype(np.int32)
-    return ReferenceDraw(fragments.where, varyings, {TRIANGLE: triangle, DEPTH: sketch.written[this_pass.draw.depth]})
+    depth = {} if this_pass.draw.layout else {DEPTH: sketch.written[this_pass.draw.depth]}
+    return ReferenceDraw(fragments.where, varyings, {TRIANGLE: triangle, **depth})

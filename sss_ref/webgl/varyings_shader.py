@@ -12,11 +12,12 @@ TRIANGLE, DEPTH = "triangle", "depth"  # outputs; of a second draw "triangle_2",
 def varyings_draws(this_pass: Pass, read: list[str]) -> list[dict[str, Any]]:
     """The draws that fill what a mesh's draw gives: of each its outputs, name -> type, and its fragment shader.
 
-    Each writes its own triangle, so that what is interpolated is judged on the triangle that it was interpolated on.
+    In a layout no depth decides. Each writes its own triangle, so that what is interpolated is judged on the triangle
+    that it was interpolated on.
     read: the varyings that the stages of the pass read.
     """
     kinds = {name: this_pass.draw.varyings[name] for name in read}
-    first = {TRIANGLE: int, DEPTH: float}
+    first = {TRIANGLE: int} if this_pass.draw.layout else {TRIANGLE: int, DEPTH: float}
     room = ESSL.most_outputs - len(first)
     parts = [first | dict(list(kinds.items())[:room])]
     rest = list(kinds.items())[room:]

@@ -4,13 +4,15 @@ const MARKS = { passed: "\u2713", failed: "\u2717", refused: "!", empty: "\u2013
 
 class Page {
   constructor(scene, gl) {
-    Object.assign(this, { scene, gl, drawing: new Drawing(gl, scene), chosen: 0, shown: 0, pixel: -1 });
+    Object.assign(this, { scene, gl, drawing: new Drawing(gl, scene), shown: 0 });
     this.reference = Object.fromEntries(
       Object.entries(scene.buffers).map(([name, buffer]) => [name, this.drawing.uploaded(buffer)]),
     );
     this.exams = scene.exams.map((exam) => ({
-      ...exam, right_source: exam.draws[0][exam.edit], source: exam.draws[0][exam.edit], buffersJudged: [], refusal: null, state: "waiting",
+      ...exam, name: nameOf(exam, scene.exams), rightSource: exam.draws[0][exam.edit], source: exam.draws[0][exam.edit],
+      buffersJudged: [], refusal: null, state: "waiting",
     }));
+    this.chosen = Math.max(this.exams.findIndex(({ mistakes }) => mistakes.length > 1), 0); // one to begin with
     this.editor = new Editor(byId("source"), byId("gutter"), () => this.drawChosen());
     byId("draw").addEventListener("click", () => this.drawChosen());
     byId("restore").addEventListener("click", () => this.restore([this.chosen]));
@@ -43,7 +45,7 @@ class Page {
 
   async judgeAll() {
     for (const [number, exam] of this.exams.entries()) {
-      byId("verdict").textContent = `Drawing ${number + 1} of ${this.exams.length}: ${nameOf(exam)}`;
+      byId("verdict").textContent = `Drawing ${number + 1} of ${this.exams.length}: ${exam.name}`;
       await new Promise((done) => setTimeout(done)); // lets the page be seen
       this.judge(exam);
       this.mark(number);
@@ -62,13 +64,14 @@ class Page {
     this.judge(exam);
     this.mark(this.chosen);
     this.conclude();
+    byId("verdict").scrollIntoView({ block: "nearest" });
   }
 
   restore(numbers) {
     for (const number of numbers) {
       const exam = this.exams[number];
-      if (exam.source === exam.right_source && exam.state === "passed" && number !== this.chosen) continue;
-      exam.source = exam.right_source;
+      if (exam.source === exam.rightSource && exam.state === "passed" && number !== this.chosen) continue;
+      exam.source = exam.rightSource;
       this.judge(exam);
       this.mark(number);
     }
@@ -80,11 +83,12 @@ class Page {
     const [number, mistake] = this.mistakes[index] ?? [];
     if (!mistake) return;
     const exam = this.exams[number];
-    const lines = exam.right_source.split("\n");
+    const lines = exam.rightSource.split("\n");
     lines[mistake.line - 1] = mistake.text;
     exam.source = lines.join("\n");
     this.choose(number);
-    byId("told").textContent = "Planted, its line is marked. Press Draw.";
+    byId("editor").scrollIntoView({ block: "nearest" });
+    byId("told").textContent = `Planted in ${exam.name}, its line is marked. Press Draw.`;
   }
 
   // Say what is wrong, if anything, and show the first stage that is.
@@ -93,13 +97,13 @@ class Page {
     const exam = this.exams[this.first];
     verdict.className = `verdict ${exam ? "failed" : "passed"}`;
     verdict.replaceChildren(...(exam ? wrongText(exam) : this.rightText()));
-    for (const id of ["copy", "restore-all"]) byId(id).disabled = false;
+    for (const id of ["mistakes", "restore-all", "copy"]) byId(id).disabled = false;
     byId("told").textContent = "";
     this.choose(exam ? this.first : this.chosen);
   }
 
   rightText() {
-    const changed = this.exams.filter((one) => one.source !== one.right_source).length;
+    const changed = this.exams.filter((one) => one.source !== one.rightSource).length;
     const empty = this.exams.filter(({ state }) => state === "empty").length;
     const judged = this.exams.length - empty;
     return [
@@ -115,7 +119,7 @@ class Page {
     return {
       format: "sss_ref verdict of a page", format_version: 1, ...this.scene.about,
       device: deviceFacts(this.gl), browser: navigator.userAgent, passed: first < 0,
-      first_wrong: first < 0 ? null : nameOf(exams[first]), stages: exams.map(reportOf),
+      first_wrong: first < 0 ? null : exams[first].name, stages: exams.map(reportOf),
     };
   }
 
@@ -146,16 +150,17 @@ function outputsOf(exam) {
   return exam.draws.flatMap((draw) => draw.outputs.map(({ name }) => name));
 }
 
-// A stage by its pass and, for one that runs for several lights, by what it writes.
-function nameOf(exam) {
-  return `${exam.pass}/${exam.stage}`;
+// A stage by its pass and, where that has it several times, by what it writes.
+function nameOf(exam, exams) {
+  const alike = exams.filter(({ pass, stage }) => pass === exam.pass && stage === exam.stage);
+  return `${exam.pass}/${exam.stage}${alike.length > 1 ? ` of ${outputsOf(exam)[0]}` : ""}`;
 }
 
 function wrongText(exam) {
-  if (exam.refusal) return [make("b", {}, `This device refuses the shader of ${nameOf(exam)}.`), exam.refusal[0].told];
+  if (exam.refusal) return [make("b", {}, `This device refuses the shader of ${exam.name}.`), exam.refusal[0].told];
   const wrong = exam.buffersJudged.find((one) => one.wrong);
   const share = `${wrong.count(WRONG)} of ${wrong.compared} pixels are wrong.`;
-  return [make("b", {}, `The first wrong stage is ${nameOf(exam)}.`), `${wrong.sentence(wrong.worst)}. ${share}`];
+  return [make("b", {}, `The first wrong stage is ${exam.name}.`), `${wrong.sentence(wrong.worst)}. ${share}`];
 }
 
 function reportOf(exam) {
@@ -163,7 +168,7 @@ function reportOf(exam) {
     name: one.name, compared: one.compared, same_bits: one.sameBits, one_of_several: one.count(SEVERAL),
     nothing_said: one.count(OPEN), wrong: one.count(WRONG), ...(one.wrong && { worst: one.sentence(one.worst) }),
   }));
-  const changed = exam.source !== exam.right_source;
+  const changed = exam.source !== exam.rightSource;
   return { pass: exam.pass, stage: exam.stage, state: exam.state, changed, refused: exam.refusal, buffers };
 }
 

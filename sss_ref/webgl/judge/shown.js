@@ -16,7 +16,7 @@ Object.assign(Page.prototype, {
     ]));
     this.mistakes = this.exams.flatMap((exam, number) => exam.mistakes.map((mistake) => [number, mistake]));
     const options = this.mistakes.map(([number, { about }], index) =>
-      make("option", { value: index }, `${this.exams[number].stage}: ${about.replaceAll("`", "")}`));
+      make("option", { value: index }, `${this.exams[number].name}: ${about.replaceAll("`", "")}`));
     byId("mistakes").replaceChildren(make("option", { value: -1 }, "Plant a mistake ..."), ...options);
   },
 
@@ -40,13 +40,15 @@ Object.assign(Page.prototype, {
     const kept = this.exams[this.chosen];
     if (!byId("stage").hidden && number !== this.chosen) kept.source = this.editor.text;
     byId(`exam-${this.chosen}`).removeAttribute("aria-current");
-    byId(`exam-${number}`).setAttribute("aria-current", "true");
+    const entry = byId(`exam-${number}`);
+    entry.setAttribute("aria-current", "true");
+    byId("stages").scrollTop = entry.offsetTop - byId("stages").clientHeight / 2;
     this.chosen = number;
     byId("stage").hidden = false;
-    byId("name").textContent = nameOf(exam);
+    byId("name").textContent = exam.name;
     byId("about").textContent = `${exam.about} Source: ${exam.source_of}.`;
     byId("mistakes").value = -1;
-    this.editor.show(exam.source, exam.right_source);
+    this.editor.show(exam.source, exam.rightSource);
     this.editor.refused(exam.refusal ?? []);
     const refusals = (exam.refusal ?? []).map(({ line, told }) => make("li", {}, line ? `line ${line}: ${told}` : told));
     byId("refused").replaceChildren(...refusals);
@@ -112,7 +114,7 @@ Object.assign(Page.prototype, {
 
 function isBeyond(judged, pixel, channel) {
   const ends = judged.right(pixel, channel);
-  return judged.kind === "int" || distanceBeyond(judged.drawn[pixel * judged.channels + channel], ends, judged.kind) > 0;
+  return judged.kind === "int" || distanceBeyond(judged.drawn[pixel * judged.channels + channel], ends) > 0;
 }
 
 function row(cells, className = "") {

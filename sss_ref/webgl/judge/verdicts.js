@@ -12,7 +12,7 @@ class Judged {
     Object.assign(this, { first: -1, worst: -1, beyond: -1, sameBits: 0 });
   }
 
-  // Note what became of a pixel; beyond: how many numbers of its type lie between it and what is right.
+  // Note what became of a pixel; beyond: how far it is from what is right.
   note(pixel, outcome, beyond = 0) {
     this.outcome[pixel] = outcome;
     if (outcome !== WRONG) return;
@@ -53,12 +53,10 @@ class Judged {
   }
 }
 
-// How far a number is from an interval, in numbers of its type; 0 inside.
-function distanceBeyond(number, [low, high], kind) {
+// How far a number is from an interval; 0 inside, infinite where it is none.
+function distanceBeyond(number, [low, high]) {
   if (low === -Infinity && high === Infinity) return 0;
-  if (Number.isNaN(number)) return Infinity;
-  const place = ordered(number, kind);
-  return Math.max(ordered(low, kind) - place, place - ordered(high, kind), 0);
+  return Number.isNaN(number) ? Infinity : Math.max(low - number, number - high, 0);
 }
 
 // The buffers of a stage. drawn: name -> values.
@@ -83,13 +81,13 @@ function judgeStage(exam, buffers, drawn) {
 }
 
 function judgePixel(judged, pixel, several) {
-  const { channels, kind } = judged;
+  const { channels } = judged;
   let beyond = 0, open = false, same = true;
   for (let channel = 0; channel < channels; channel++) {
     const ends = judged.right(pixel, channel);
     const index = pixel * channels + channel;
     open ||= ends[0] === -Infinity && ends[1] === Infinity;
-    beyond = Math.max(beyond, distanceBeyond(judged.drawn[index], ends, kind));
+    beyond = Math.max(beyond, distanceBeyond(judged.drawn[index], ends));
     same &&= Object.is(judged.drawn[index], judged.reference[index]);
   }
   judged.sameBits += same;
@@ -156,7 +154,7 @@ function judgeOnTriangle(exam, output, { shown, drawn, reference }, lists, { fir
     for (const candidate of found) {
       let beyond = 0;
       for (let channel = 0; channel < channels; channel++) {
-        beyond = Math.max(beyond, distanceBeyond(drawn[pixel * channels + channel], ends(candidate, channel), "float"));
+        beyond = Math.max(beyond, distanceBeyond(drawn[pixel * channels + channel], ends(candidate, channel)));
       }
       least = Math.min(least, beyond);
     }
