@@ -32,6 +32,7 @@ ROOMS = [  # from the ground up: whoever stands higher imports from those below
         "results",
         "batch",
         "dump",
+        "capture",
         "truth",
         "yardstick",
         "explanation",

@@ -7,7 +7,7 @@ from sss_ref.cli import app
 HEAD = """# Command line
 
 Results go to standard output, everything else to standard error. The exit code is 0; 1 where `verify`, `diff` or
-`validate` finds a difference; 2 for bad input.
+`validate` finds a difference, or `import` a picture that may be two buffers; 2 for bad input.
 """
 
 

@@ -9,6 +9,7 @@ from sss_ref.cli.console import BAD_INPUT, err
 from sss_ref.cli.course_commands import course
 from sss_ref.cli.explaining import explain
 from sss_ref.cli.fit_command import fit
+from sss_ref.cli.import_command import import_
 from sss_ref.cli.listing import info, scenes
 from sss_ref.cli.measure_command import measure
 from sss_ref.cli.render_commands import render, warmup
@@ -52,14 +53,15 @@ for command in (
     warmup,
 ):
     app.command(command)
+app.command(import_, name="import")
 app.command("sss_ref.cli.mapping_command:mapping", name="mapping", help=MAPPING)  # loaded when asked for
 
 
 def main(tokens: list[str] | None = None) -> int:
     """Run the command line; returns the exit code.
 
-    0, or 1 where `verify`, `diff` or `validate` finds a difference or an item of `batch` failed, or 2 for bad input,
-    and where nothing was judged.
+    0, or 1 where `verify`, `diff` or `validate` finds a difference, `import` asks for something or an item of `batch`
+    failed, or 2 for bad input, and where nothing was judged.
     """
     try:
         return app(tokens, exit_on_error=False, error_console=err) or 0

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 from cyclopts import Parameter
 
 from sss_ref.cli.console import DIFFERS, announce_compilation, err, out, progress
+from sss_ref.cli.import_command import tell_doubts
 from sss_ref.cli.options import KERNELS, NO_CHANGES, NO_HASTE, Changes, Execution, Haste
 from sss_ref.cli.verdicts import print_report
 from sss_ref.errors import DumpError
@@ -15,6 +16,8 @@ from sss_ref.errors.wording import told
 if TYPE_CHECKING:
     import numpy as np
 
+    from sss_ref.dump.read import Dump
+    from sss_ref.rendering.result import Result
     from sss_ref.scene.scene import Scene
     from sss_ref.validation.accept.dumped import Drawing
     from sss_ref.validation.report.report import Report
@@ -31,6 +34,9 @@ def validate(
     /,
     *,
     run_glsl: Annotated[bool, Parameter(negative="", help="Draw the scene on this machine's OpenGL instead.")] = False,
+    auto: Annotated[
+        bool, Parameter(negative="", help="Tell by what is in the files which buffers they are, not by their names.")
+    ] = False,
     origin: Annotated[
         Literal["top", "bottom"] | None,
         Parameter(help="The row that the dump's files begin with; NPY: bottom, pictures: top.", show_default=False),
@@ -74,10 +80,12 @@ def validate(
     with progress("reading") as show:
         clock = Clock(show)
         with clock.phase("reading"):
-            drawing = _drawn(loaded, dump) if run_glsl else _dumped(loaded, dump, origin)
+            given = None if auto else _drawn(loaded, dump) if run_glsl else _dumped(loaded, dump, origin)
             only = _judged_pixels(loaded, region, exclude)
         with clock.phase("rendering"):
             oracle = render(loaded, execution.interpreter, execution.threads, on_pass=lambda name: show(f"pass {name}"))
+        with clock.phase("recognising"):
+            drawing = given or _recognized(oracle, dump)
         found = judge(oracle, drawing, only, profile, haste.scope(report is not None), clock)
         if metrics:
             with clock.phase("metrics"):
@@ -111,11 +119,29 @@ def _drawn(scene: "Scene", shaders: Path | None) -> "Drawing":
 
 def _dumped(scene: "Scene", dump: Path | None, origin: Literal["top", "bottom"] | None) -> "Drawing":
     from sss_ref.dump.read import read_dump
-    from sss_ref.validation.accept.dumped import Drawing
 
+    return _told(read_dump(_given(dump), scene, origin))
+
+
+def _recognized(oracle: "Result", dump: Path | None) -> "Drawing":
+    """The buffers that pictures without telling names are."""
+    from sss_ref.capture.recognized import recognized
+
+    found = recognized(_given(dump), oracle)
+    tell_doubts(found)
+    return _told(found.dump())
+
+
+def _given(dump: Path | None) -> Path:
     if dump is None:
         raise DumpError("validate: expected a folder of buffers, a mapping file, or --run-glsl, got none; give one")
-    found = read_dump(dump, scene, origin)
+    return dump
+
+
+def _told(found: "Dump") -> "Drawing":
+    """A dump as what drew it, after its notes are told."""
+    from sss_ref.validation.accept.dumped import Drawing
+
     for note in (*found.notes, *(f"{one.name}: {note}" for one in found.buffers.values() for note in one.notes)):
         err.print(f"[yellow]note:[/] {note}", highlight=False)
     return Drawing.read(found)

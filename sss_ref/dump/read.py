@@ -15,7 +15,7 @@ from sss_ref.dump.loss import Loss
 from sss_ref.dump.mapping import Origin
 from sss_ref.dump.nothing_drawn import cleared
 from sss_ref.dump.slots import Slot, slots_of
-from sss_ref.dump.sources import Source, known_only, sources_of
+from sss_ref.dump.sources import Source, Sources, known_only, sources_of
 from sss_ref.dump.texels import StoredTexels
 from sss_ref.errors import DumpError
 from sss_ref.errors.wording import nearest, told
@@ -84,6 +84,12 @@ def read_dump(path: Path, scene: Scene, origin: Origin | None = None) -> Dump:
     sources = known_only(sources_of(path, origin), slots)
     if not sources.found:
         raise DumpError(told(str(path), f"a file for a buffer ({', '.join(slots)})", "none", "name the files so"))
+    return dump_of(sources, scene)
+
+
+def dump_of(sources: Sources, scene: Scene) -> Dump:
+    """The buffers that these sources hold, as `read_dump` gives them; raises DumpError as that does."""
+    slots = slots_of(scene)
     parts = lru_cache(maxsize=1)(parts_of)  # several buffers may lie in one file
     found, problems = {}, []
     for source in sorted(sources.found, key=lambda source: str(source.path)):
