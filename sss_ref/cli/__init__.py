@@ -6,7 +6,7 @@ from rich.markup import escape
 from sss_ref.cli.batch_commands import batch, turntable
 from sss_ref.cli.comparing import diff, verify
 from sss_ref.cli.console import BAD_INPUT, err
-from sss_ref.cli.course_commands import course
+from sss_ref.cli.course_commands import course, grade
 from sss_ref.cli.explaining import explain
 from sss_ref.cli.fit_command import fit
 from sss_ref.cli.import_command import import_
@@ -47,6 +47,7 @@ for command in (
     truth,
     fit,
     course,
+    grade,
     measure,
     info,
     scenes,
