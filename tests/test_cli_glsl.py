@@ -14,7 +14,7 @@ def test_a_stage_is_printed_with_what_it_uses(capsys):
     assert capsys.readouterr().out == stage_source(translucency_beer, {}) + "\n"
 
 
-@pytest.mark.parametrize("dialect", ["essl", "hlsl", "wgsl"])
+@pytest.mark.parametrize("dialect", ["vulkan", "essl", "hlsl", "wgsl"])
 def test_other_dialects(dialect, tmp_path, capsys):
     assert main(["glsl", "phong_shading", "--dialect", dialect, "-o", str(tmp_path)]) == 0
     loaded = load_scene("default")

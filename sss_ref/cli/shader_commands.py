@@ -27,8 +27,8 @@ def glsl(
         Path | None, Parameter(alias="-o", help="A folder for the shaders of all passes.", show_default=False)
     ] = None,
     dialect: Annotated[
-        Literal["glsl", "essl", "hlsl", "wgsl"],
-        Parameter(help="Of OpenGL, of WebGL 2 and OpenGL ES 3, of Direct3D, or of WebGPU."),
+        Literal["glsl", "vulkan", "essl", "hlsl", "wgsl"],
+        Parameter(help="Of OpenGL, Vulkan, WebGL 2 and OpenGL ES 3, Direct3D, or WebGPU."),
     ] = "glsl",
     registers: Annotated[
         bool, Parameter(negative="", help="Let the shaders also write what no buffer holds, so that it can be judged.")

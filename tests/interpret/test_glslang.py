@@ -14,6 +14,7 @@ VALIDATOR = shutil.which("glslangValidator")
 
 COMMANDS = {  # per file; the compiler for HLSL makes SPIR-V, whose bindings the file need not have
     "glsl": [],
+    "vulkan": ["-V", "-o", os.devnull],
     "essl": [],
     "hlsl": ["-D", "-e", "main", "-V", "--auto-map-bindings", "--auto-map-locations", "-o", os.devnull],
 }
@@ -40,7 +41,9 @@ def test_every_shader_compiles(shaders, dialect, tmp_path):
     paths = [tmp_path / f"{number}.{suffix}" for number, (suffix, _) in enumerate(shaders)]
     for path, (_, source) in zip(paths, shaders, strict=True):
         path.write_text(source)
-    batches = [[path] for path in paths] if dialect == "hlsl" else [paths]  # of several, HLSL would link one program
+    batches = (
+        [[path] for path in paths] if "-V" in COMMANDS[dialect] else [paths]
+    )  # of several, it would link one program
     for batch in batches:
         done = subprocess.run([VALIDATOR, *COMMANDS[dialect], *map(str, batch)], capture_output=True, text=True)
         problems = [line for line in done.stdout.splitlines() if "ERROR" in line or "WARNING" in line]

@@ -32,6 +32,7 @@ ODD = ["gl_Position", "gl_x", "two__two", "two___two", "ends_", "double_", "samp
 TOGETHER = 40  # stages in a shader
 FLAGS = {
     "glsl": [],
+    "vulkan": ["-V", "-o", os.devnull],
     "essl": [],
     "hlsl": ["-D", "-e", "main", "-V", "--auto-map-bindings", "--auto-map-locations", "-o", os.devnull],
 }

@@ -290,7 +290,7 @@ def test_hlsl_turns_the_picture_over_and_halves_the_depth_range():
     vertex, fragment = vertex_shader(one, {}, HLSL), fragment_shader(one, set(), ("triangle", "uv"), {}, HLSL)
     assert "clip_position = vertex.clip_position * float4(1.0, -1.0, 1.0, 1.0);" in vertex
     assert "clip_position.z = (clip_position.z + clip_position.w) * 0.5;" in vertex
-    assert "    row_major float4x4 world_from_model;" in vertex and "transpose(m)[0] * v.x" in vertex
+    assert "    row_major float4x4 world_from_model : packoffset(c7);" in vertex and "transpose(m)[0] * v.x" in vertex
     assert "float3 position : POSITION," in vertex and "out precise float2 fragment_uv : TEXCOORD2" in vertex
     assert "float3 fragment_normal : TEXCOORD1," in fragment  # as the vertex shader hands it on, though it is not read
     assert "int triangle_ = int(primitive);" in fragment and "out int out_triangle : SV_Target0," in fragment

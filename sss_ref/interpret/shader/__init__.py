@@ -9,9 +9,10 @@ from sss_ref.interpret.shader.glsl import ESSL, GLSL
 from sss_ref.interpret.shader.hlsl import HLSL
 from sss_ref.interpret.shader.library import Library, stage_source
 from sss_ref.interpret.shader.passes import array_lengths, draws, fragment_shader, shader_files, vertex_shader
+from sss_ref.interpret.shader.vulkan import VULKAN
 from sss_ref.interpret.shader.wgsl import WGSL
 
-DIALECTS = {"glsl": GLSL, "essl": ESSL, "hlsl": HLSL, "wgsl": WGSL}
+DIALECTS = {"glsl": GLSL, "vulkan": VULKAN, "essl": ESSL, "hlsl": HLSL, "wgsl": WGSL}
 
 __all__ = [
     "ARRAY_WIDTH",
@@ -20,6 +21,7 @@ __all__ = [
     "GLSL",
     "HLSL",
     "OUT",
+    "VULKAN",
     "WGSL",
     "Dialect",
     "Library",

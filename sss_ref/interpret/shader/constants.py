@@ -1,8 +1,9 @@
 """Where each constant of a shader lies in the one buffer that holds them all, and that buffer's bytes.
 
-Three sets of rules: std140 of OpenGL and Vulkan; the uniform address space of WGSL, which says the same of what we
-have; and the constant buffers of Direct3D (OpenGL 4.6 section 7.6.2.2; WGSL "Alignment and Size"; HLSL "Packing Rules
-for Constant Variables"). All have rows of 16 bytes, in which lines of matrices and elements of arrays begin.
+One set of rules for all languages: std140 of OpenGL and Vulkan (OpenGL 4.6 section 7.6.2.2). Those of WGSL's uniforms
+("Alignment and Size") say the same of what we have, and HLSL lets a constant lie wherever it does not reach beyond its
+row of 16 bytes ("Packing Rules for Constant Variables"), so there each says where it lies. Lines of a matrix and
+elements of an array have a row each, and nothing shares the last of them.
 """
 
 from collections.abc import Mapping
@@ -15,7 +16,9 @@ from sss_ref.language.types import Array, ivec2, mat3, mat4, vec2, vec3, vec4
 
 ROW = 16  # bytes
 SIZES = {float: 4, int: 4, bool: 4, vec2: 8, ivec2: 8, vec3: 12, vec4: 16}
-LINES = {mat3: (3, vec3), mat4: (4, vec4)}  # of a matrix: how many, and the type of one
+ALIGNED = {**SIZES, vec3: ROW}
+LINES = {mat3: 3, mat4: 4}
+WHOLE = (int, bool, ivec2)
 
 
 @dataclass(frozen=True)
@@ -26,58 +29,36 @@ class Places:
     size: int
 
 
-def places(kinds: Mapping[str, Any], lengths: Mapping[str, int], direct3d: bool = False) -> Places:
-    """Where constants of these types lie, in this order.
-
-    lengths: of those that are arrays. direct3d: by its rules, where a vector begins wherever it does not reach beyond
-    its row, and what follows an array or a matrix may lie in the rest of its last row.
-    """
+def places(kinds: Mapping[str, Any], lengths: Mapping[str, int]) -> Places:
+    """Where constants of these types lie, in this order; lengths: of those that are arrays."""
     offsets, end = {}, 0
     for name, kind in kinds.items():
-        count, line = _lines(kind, lengths.get(name))
-        if count:
-            begin, size = _next(end, ROW), ROW * (count - 1) + (SIZES[line] if direct3d else ROW)
-        else:
-            begin, size = _begin(end, line, direct3d), SIZES[line]
-        offsets[name], end = begin, begin + size
+        rows = lengths[name] if get_origin(kind) is Array else LINES.get(kind, 0)
+        offsets[name] = _next(end, ROW if rows else ALIGNED[kind])
+        end = offsets[name] + (ROW * rows if rows else SIZES[kind])
     return Places(offsets, _next(end, ROW))
 
 
-def packed(values: Mapping[str, Any], kinds: Mapping[str, Any], where: Places, direct3d: bool = False) -> bytes:
-    """The bytes of a buffer; values: name -> number, vector (N,), array (N,) or (N, C), or matrix M[row][column].
+def packed(values: Mapping[str, Any], kinds: Mapping[str, Any], where: Places) -> bytes:
+    """The bytes of a buffer, with matrices column by column, and integers and truth values in four bytes each.
 
-    A matrix is stored column by column; for Direct3D, where our shaders call it row_major, row by row.
+    values: name -> number, vector (N,), array (N,) or (N, C), or matrix M[row][column].
     """
     data = bytearray(where.size)
     for name, kind in kinds.items():
-        value = np.asarray(values[name])
-        lines = (value if direct3d else value.T) if kind in LINES else value
-        many = kind in LINES or get_origin(kind) is Array
-        for number, line in enumerate(lines if many else [lines]):
-            stored = _bytes(line, get_args(kind)[0] if get_origin(kind) is Array else kind)
+        for number, line in enumerate(_lines(np.asarray(values[name]), kind)):
             begin = where.offsets[name] + ROW * number
-            data[begin : begin + len(stored)] = stored
+            data[begin : begin + len(line)] = line
     return bytes(data)
 
 
-def _bytes(value: np.ndarray, kind: Any) -> bytes:
-    """One line of a constant; integers and truth values take four bytes as numbers do."""
-    whole = kind in (int, bool, ivec2)
-    return np.ascontiguousarray(value, "<i4" if whole else "<f4").tobytes()
-
-
-def _lines(kind: Any, length: int | None) -> tuple[int, Any]:
-    """How many rows a constant has of its own, 0 for what may share one; and the type of what is in a row."""
-    if get_origin(kind) is Array:
-        return length or 0, get_args(kind)[0]
-    return LINES.get(kind, (0, kind))
-
-
-def _begin(end: int, kind: Any, direct3d: bool) -> int:
-    """Where a number or vector begins after what ends here."""
-    if direct3d:
-        return end if end % ROW + SIZES[kind] <= ROW else _next(end, ROW)
-    return _next(end, ROW if kind is vec3 else SIZES[kind])
+def _lines(value: np.ndarray, kind: Any) -> list[bytes]:
+    """What has a row of its own, or begins in one."""
+    array = get_origin(kind) is Array
+    element = get_args(kind)[0] if array else kind
+    numbers = value.T if kind in LINES else value
+    stored = np.ascontiguousarray(numbers, "<i4" if element in WHOLE else "<f4")
+    return [line.tobytes() for line in (stored if array or kind in LINES else [stored])]
 
 
 def _next(offset: int, step: int) -> int:

@@ -3,9 +3,11 @@
 Direct3D counts rows from the top and has depths 0 <= z <= w. The vertex shaders turn the picture over, so that row 0 in
 memory is the bottom row, as everywhere in this package, and a sample on an edge belongs to the same triangle (rule R3).
 Hence textures, pixels and what is read back need no flip. Depth is that of (z + w)/2, rounded otherwise than in OpenGL.
-Matrices lie in the constant buffer row after row; elements of its arrays start 16 bytes apart, as always in Direct3D.
+All constants lie in one buffer, each where it says so itself: a row has 16 bytes, and a vector lies in one of them.
+Matrices lie there row after row; elements of arrays start 16 bytes apart, as always in Direct3D.
 """
 
+from sss_ref.interpret.shader.constants import ROW, places
 from sss_ref.interpret.shader.dialect import ARRAY_WIDTH, OUT, Dialect, Parts, Wording
 from sss_ref.interpret.shader.glsl import GLSL
 from sss_ref.interpret.shader.reserved import HLSL_BUILT_INS, HLSL_WORDS
@@ -41,8 +43,10 @@ def _varyings(parts: Parts, dialect: Dialect, before: str) -> list[str]:
 
 def _shader(parts: Parts, dialect: Dialect, parameters: list[str]) -> str:
     textures = [f"{dialect.declared(kind, name)};" for name, kind in parts.textures.items()]
+    where = places(parts.uniforms, parts.lengths)
     uniforms = [
-        f"{'row_major ' * (kind in (mat3, mat4))}{dialect.declared(kind, name, parts.lengths.get(name))};"
+        f"{'row_major ' * (kind in (mat3, mat4))}{dialect.declared(kind, name, parts.lengths.get(name))} : "
+        f"packoffset({_row(where.offsets[name])});"
         for name, kind in parts.uniforms.items()
     ]
     constants = braced("cbuffer Uniforms", uniforms, end="};") if uniforms else []
@@ -50,6 +54,12 @@ def _shader(parts: Parts, dialect: Dialect, parameters: list[str]) -> str:
     listed = indented([parameter + end for parameter, end in zip(parameters, ends, strict=True)])
     main = ["void main(", *listed, *braced(")", parts.lines)]
     return joined([comment(parts.about), textures, constants, parts.definitions.splitlines(), main])
+
+
+def _row(offset: int) -> str:
+    """A place in the constant buffer as Direct3D tells it: its row of 16 bytes, and where in that."""
+    row, rest = divmod(offset, ROW)
+    return f"c{row}{'.' * (rest > 0)}{'xyzw'[rest // 4] * (rest > 0)}"
 
 
 HLSL = Dialect(
