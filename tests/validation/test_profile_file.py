@@ -32,6 +32,7 @@ def test_named_profiles():
 
 def test_a_file_changes_what_it_names(read):
     assert read("") == PROFILES["vulkan"]
+    assert read('contraction = "free"') == Profile(contraction="free")
     changed = read('based_on = "gl"\nsubpixel_bits = 4\nweight_bits = 0\n[bounds]\ndivide_ulp = 4.5\n')
     assert changed == Profile(Bounded(relative=1e-5, divide_ulp=4.5), subpixel_bits=4, weight_bits=0)
 
@@ -46,6 +47,10 @@ def test_bounds_on_top_of_ieee_are_vulkans_where_the_file_is_silent(read):
     [
         ('based_on = "dx"', 'based_on: expected "ieee", "vulkan", "gl" or "mediump", got "dx"; choose one of these'),
         ("snap = 3", 'snap: expected "nearest" or "any", got 3; choose one of these'),
+        (
+            'contraction = "none"',
+            'contraction: expected "unfused", "fused" or "free", got "none"; choose one of these',
+        ),
         ("subpixel_bits = 5", "subpixel_bits: expected 4 or 8, got 5; choose one of these"),
         ("weight_bits = -1", "weight_bits: expected a whole number from 0 to 16384, got -1; choose another value"),
         ("reversed_depth = 1", "reversed_depth: expected true or false, got 1; write it without quotes"),

@@ -19,6 +19,11 @@ class Profile:
     nearest_slack: how near a texel's edge, in texels, a nearest sample may take the texel beyond it.
     subpixel_bits: fractional bits of a vertex's window position. snap: whether it moves to the nearest such position,
     or to any of those around it.
+    contraction: what becomes of a value that a stage hands to the next one in the same shader. "unfused": it is
+    rounded, as `precise` of GLSL and HLSL, NoContraction of SPIR-V and a target between the two have it; "fused": a sum
+    may take a product before it is rounded, as with SPV_KHR_fma, or AllowContract of SPV_KHR_float_controls2; "free":
+    operations may change their order too, as with AllowReassoc, in WGSL (section 15.7) and in GLSL and HLSL without
+    `precise`. Inside a stage any order, fused or not, is accepted always.
     depth_format: how a depth buffer stores its values. reversed_depth: whether it holds 1 at the near plane.
     """
 
@@ -29,6 +34,7 @@ class Profile:
     nearest_slack: float = 2.0**-8
     subpixel_bits: Literal[4, 8] = 8
     snap: Literal["nearest", "any"] = "nearest"
+    contraction: Literal["unfused", "fused", "free"] = "unfused"
     depth_format: Literal["D16", "D24", "D32F"] = "D32F"
     reversed_depth: bool = False
 

@@ -16,6 +16,7 @@ from sss_ref.language.layout import dtype_of, shape_of
 from sss_ref.language.stage import Stage
 from sss_ref.rendering.result import Result
 from sss_ref.validation.accept.acceptance import accepted
+from sss_ref.validation.accept.contraction import contracted
 from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import Known, KnownBuffer, Pixels
 
@@ -46,7 +47,8 @@ def walk(drawn: DrawnPass, at: Pixels) -> Iterator[StageRun]:
         yield StageRun(stage, read, written)
         known |= written
         for own, name in ((own, name) for own, name in stage.writes.items() if name in dumped.buffers):
-            known[name] = dumped.handed_on(name, stage.outputs[own], at)
+            kind = stage.outputs[own]
+            known[name] = contracted(dumped.handed_on(name, kind, at), written[name], kind, drawn.profile)
 
 
 def run_stage(drawn: DrawnPass, at: Pixels, buffer: str) -> StageRun:
