@@ -9,7 +9,7 @@ from scenes import around, two_slabs, written
 
 from sss_ref.gl import draw
 from sss_ref.gl.shaders import shader_folder
-from sss_ref.interpret.shader import array_lengths, shader_files
+from sss_ref.interpret.shader import GLSL, array_lengths, shader_files
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.stage_by_stage import validate
@@ -93,14 +93,15 @@ def slabs():
         return load_scene(around(path, SIZE, lights=lights, shadow_map=shadow_map, camera=camera, mesh=mesh))
 
 
-def drawn_edited(name, edits, folder, files=""):
+def drawn_edited(name, edits, folder, files="", dialect=GLSL, draw=draw):
     """Draw a scene with shaders in which texts are replaced.
 
-    edits: old text -> new text. files: how the names of the files begin that are edited; all unless given.
+    edits: old text -> new text. files: how the names of the files begin that are edited; all unless given. dialect: of
+    the shaders, and draw: what draws with them.
     """
     scene = rendered(name).scene
     found = set()
-    files_of_scene = shader_files(scene.method, array_lengths(scene.uniforms), registers=True)
+    files_of_scene = shader_files(scene.method, array_lengths(scene.uniforms, dialect), dialect, registers=True)
     for path, text in files_of_scene.items():
         if path.startswith("taps"):  # drawn on demand only
             continue
