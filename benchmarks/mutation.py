@@ -12,6 +12,7 @@ they are count nowhere.
 import argparse
 import ast
 import copy
+import math
 import os
 import random
 import shutil
@@ -77,7 +78,18 @@ def main() -> None:
                 survivors += 1
                 print(f"survived: {mutant}", flush=True)
     tried = stopped + survivors
-    print(f"{stopped} of {tried} stopped, {stopped / max(tried, 1):.0%}; {len(every)} places, seed {asked.seed}")
+    low, high = interval(stopped, max(tried, 1))
+    share = f"{stopped / max(tried, 1):.0%} (of all {len(every)} places {low:.0%} to {high:.0%} with 95 %)"
+    print(f"{stopped} of {tried} stopped, {share}, seed {asked.seed}")
+
+
+def interval(hits: int, tries: int) -> tuple[float, float]:
+    """Where the share in the whole lies with 95 %, by a sample of it (Wilson 1927)."""
+    deviations = 1.959964  # of the normal distribution
+    share, spread = hits / tries, deviations**2 / tries
+    middle = (share + spread / 2) / (1 + spread)
+    half = deviations * math.sqrt(share * (1 - share) / tries + spread / (4 * tries)) / (1 + spread)
+    return middle - half, middle + half
 
 
 def sources(places: list[Path]) -> Iterator[Path]:

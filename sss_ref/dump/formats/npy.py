@@ -18,7 +18,8 @@ def read(path: Path) -> tuple[StoredTexels]:
         if OBJECTS in file.read(LONGEST_HEADER).partition(b"\n")[0]:
             remedy = "convert the array to float32 before saving it"
             raise DumpError(told(str(path), "numbers", "Python objects", remedy))
-    array = np.load(path, mmap_mode="r", allow_pickle=False)
+    with np.errstate(over="ignore"):  # of the product of a shape of very many numbers
+        array = np.load(path, mmap_mode="r", allow_pickle=False)
     if not isinstance(array, np.ndarray):
         raise DumpError(told(str(path), "one array in NPY format", "an archive", "save each buffer with numpy.save"))
     return (array_texels(path, array),)
