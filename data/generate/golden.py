@@ -8,6 +8,7 @@ lookup, targets beside the mesh's centre.
 
 import json
 from pathlib import Path
+from typing import Any
 
 import sss_ref
 from sss_ref.rules import RULES_VERSION
@@ -38,9 +39,9 @@ OTHERS = {
 }
 
 
-def hashes() -> dict[str, dict[str, str]]:
-    """Scene and preset -> buffer -> SHA-256."""
-    made = {}
+def asked() -> dict[str, tuple[str, dict[str, Any]]]:
+    """Name, of scene and preset, -> the scene and what is set in it."""
+    found = {}
     for scene in scene_names():
         presets = {"paper": {}, "robust": {}, "published": FIXED}
         loaded = sss_ref.load_scene(scene, **SMALL)
@@ -48,14 +49,16 @@ def hashes() -> dict[str, dict[str, str]]:
         if len(loaded.lights) > 1 or loaded.settings.layers or any(view.lens.is_parallel for view in views):
             del presets["published"]
         for preset, fixed in presets.items():
-            made[f"{scene} {preset}"] = sss_ref.render(
-                sss_ref.load_scene(scene, preset=preset, **SMALL, **fixed)
-            ).hashes
-    for name, (scene, settings) in OTHERS.items():
-        made[name] = sss_ref.render(sss_ref.load_scene(scene, **{**SMALL, **settings})).hashes
-    return made
+            found[f"{scene} {preset}"] = scene, {"preset": preset, **SMALL, **fixed}
+    return found | {name: (scene, {**SMALL, **settings}) for name, (scene, settings) in OTHERS.items()}
+
+
+def hashes(scene: str, settings: dict[str, Any]) -> dict[str, str]:
+    """Buffer -> SHA-256."""
+    return sss_ref.render(sss_ref.load_scene(scene, **settings)).hashes
 
 
 if __name__ == "__main__":
-    text = json.dumps({"rules_version": RULES_VERSION, "scenes": hashes()}, indent=1)
+    made = {name: hashes(*each) for name, each in asked().items()}
+    text = json.dumps({"rules_version": RULES_VERSION, "scenes": made}, indent=1)
     GOLDEN.write_text(text + "\n", encoding="utf-8")

@@ -1,7 +1,8 @@
 #!/bin/sh
-# The golden hashes, and scenes by chance, by compiled kernels on an emulated aarch64 processor.
+# The golden hashes, by compiled kernels, on an emulated aarch64 processor.
 #
 #     tests/platforms/aarch64.sh FOLDER [pytest's arguments]
+#     tests/platforms/aarch64.sh /tmp/arm tests/test_golden.py -k teaching        # a few minutes
 #
 # FOLDER receives Debian's Python for that processor, the wheels, and the compiled kernels; run again, it takes what is
 # there. Needs Debian's mmdebstrap and qemu-user-static, pip, and network. The last result: aarch64.txt beside this file.
@@ -39,4 +40,5 @@ from importlib.metadata import version
 packages = ", ".join(f"{name} {version(name)}" for name in ("numpy", "numba", "llvmlite"))
 print(f"{platform.machine()}, Python {platform.python_version()}, {packages}")
 SAY
-python -m pytest -q -n 0 -p no:cacheprovider "${@:-tests/test_golden.py}"
+[ $# -gt 0 ] || set -- tests/test_golden.py
+python -m pytest -q -n 0 -p no:cacheprovider "$@"

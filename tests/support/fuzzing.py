@@ -83,6 +83,8 @@ def serve(connection, seconds):
     """Answer seeds until the other end closes."""
     resource.setrlimit(resource.RLIMIT_AS, (HARD_MEMORY, HARD_MEMORY))
     with tempfile.TemporaryDirectory() as folder:
+        for valid in valid_files():  # what is loaded and compiled at first use takes its time
+            outcome(valid, valid.files, Path(folder) / "valid")
         while True:
             try:
                 seed = connection.recv()
