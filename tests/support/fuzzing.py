@@ -53,14 +53,16 @@ def trials(seeds, seconds=SECONDS):
         process = context.Process(target=serve, args=(theirs, seconds), daemon=True)
         process.start()
         theirs.close()
-        for _ in range(len(seeds)):
-            seed = seeds.pop(0)
-            trial = asked(ours, process, seed, seconds)
-            yield trial
-            if trial.came == "ended":
-                break
-        ours.close()
-        process.join()
+        try:
+            for _ in range(len(seeds)):
+                seed = seeds.pop(0)
+                trial = asked(ours, process, seed, seconds)
+                yield trial
+                if trial.came == "ended":
+                    break
+        finally:
+            ours.close()
+            process.join()
 
 
 def asked(connection, process, seed, seconds):
