@@ -17,7 +17,7 @@ def test_what_is_printed_is_a_scene_files_part(capsys):
     scene = load_scene("sphere", **printed)
     assert scene.settings.mm_per_unit == 150 and len(scene.settings.blur.taps) == 13
     assert scene.settings.translucency.exponent == tuple(printed["translucency"]["exponent"])
-    assert scene.settings.translucency.combine == "transmit"
+    assert (scene.settings.translucency.combine, scene.settings.translucency.wrap) == ("transmit_wrapped", 0)
     assert len(scene.settings.diffusion.gaussians) == 6 and scene.settings.diffusion.albedo == scene.settings.mesh.color
     assert "of a disc of" in told.err and told.err.count("e^(-") == 3
 

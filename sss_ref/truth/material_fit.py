@@ -13,6 +13,9 @@ from sss_ref.truth.transmittance_fit import BASE, TransmittanceFit, fitted_trans
 COLORS = ("red", "green", "blue")
 FARTHEST = 0.99  # share of the light: where the kernel of method "separable" ends
 DARKEST = 1e-9  # a colour that is divided by
+FROM_BEHIND = {"combine": "transmit_wrapped", "wrap": 0.0}
+"""How a slab's T joins the light: where the surface faces away, also for techniques that call it lit there. What goes
+round the terminator the blur moves there; with a wrap it would be there twice."""
 Law = Literal["ratio", "beer"]
 
 
@@ -53,14 +56,10 @@ class MaterialFit:
         }
 
     def power_law(self, mm_per_unit: float) -> dict[str, Any]:
-        """T holds the colour already, so scale is 1/color: the surface multiplies by it again.
-
-        It is of light that enters on the other side, so it is joined where the surface faces away: what goes round the
-        terminator the blur moves there, and "transmit_wrapped" would add it once more.
-        """
+        """T holds the colour already, so scale is 1/color: the surface multiplies by it again."""
         return {
             "form": "ratio",
-            "combine": "transmit",
+            **FROM_BEHIND,
             "x": BASE,
             "y": [law.y(mm_per_unit) for law in self.laws],
             "exponent": [law.exponent for law in self.laws],
@@ -72,7 +71,7 @@ class MaterialFit:
         """The exponential beside it; its amplitude is in scale too."""
         return {
             "form": "beer",
-            "combine": "transmit",
+            **FROM_BEHIND,
             "x": [law.fading * mm_per_unit for law in self.laws],
             "scale": [law.amplitude / max(color, DARKEST) for law, color in zip(self.laws, self.color, strict=True)],
         }
