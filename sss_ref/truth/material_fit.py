@@ -84,10 +84,11 @@ def fitted_material(
     diffuse: bool = False,
     on_step: Callable[[str], None] | None = None,
 ) -> MaterialFit:
-    """Walk so many photons a walk through a half-space and slabs of each channel's volume, and fit to them.
+    """Walk through a half-space and slabs of each channel's volume, and fit to that.
 
-    diffuse: whether light enters the half-space from all sides, as through the border `diffuse` of a traced scene, or
-    straight down. on_step: told what is being done. Raises SceneError for what is no material.
+    volumes: red, green and blue, per mm. photons: of each walk. threads: all processors where it is None.
+    diffuse: whether light enters the half-space from all sides, as through the border of a traced scene, or straight
+    down. on_step: told what is being done. Raises SceneError for what is no material.
     """
     tell = on_step or str
     profiles, laws = [], []

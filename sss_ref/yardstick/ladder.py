@@ -77,8 +77,9 @@ def climbed(
 ) -> Ladder:
     """The ladder of a scene whose truth is traced.
 
-    methods: the techniques, as shipped and, where there is a `fit`, fitted. drawn: what a GPU drew, by `drawn_image`.
-    on_rung: told what is being rendered. Raises SceneError for what cannot be measured.
+    of: the scene. radiance: of its tracing. methods: the techniques, as shipped and, where there is a `fit`, fitted.
+    drawn: what a GPU drew, by `drawn_image`, (H, W, 3). on_rung: told what is being rendered.
+    Raises SceneError for what cannot be measured.
     """
     bare = Ladder(of, radiance, fit, tuple(rungs(of, methods, fit, on_rung)))
     return bare if drawn is None else replace(bare, gpu=_against_the_oracle(bare, drawn))
@@ -87,7 +88,7 @@ def climbed(
 def drawn_image(of: Yardstick, dump: Path) -> FloatArray:
     """The final picture that a GPU drew of the scene as it is given, (H, W, 3), row 0 at the bottom.
 
-    dump: a mapping file or a folder. Raises DumpError for one of another size, and for one without a finite image.
+    of: the scene. dump: a mapping file or a folder. Raises DumpError for one of another size, and for one without a finite image.
     """
     drawn = read_dump(dump, of.given).buffers.get("image")
     if drawn is None:
