@@ -88,7 +88,8 @@ def climbed(
 def drawn_image(of: Yardstick, dump: Path) -> FloatArray:
     """The final picture that a GPU drew of the scene as it is given, (H, W, 3), row 0 at the bottom.
 
-    of: the scene. dump: a mapping file or a folder. Raises DumpError for one of another size, and for one without a finite image.
+    of: the scene. dump: a mapping file or a folder. Raises DumpError for one of another size, and for one without a
+    finite image.
     """
     drawn = read_dump(dump, of.given).buffers.get("image")
     if drawn is None:
