@@ -12,8 +12,8 @@
 # %% [markdown]
 # # 3. Phong, and the camera's pass
 #
-# > **Aims.** Take Phong shading apart, explain one pixel line by line, and write your first lines of GLSL.
-# > **Before.** Lesson 2. **Time.** 45 minutes.
+# > **Aims.** Take Phong shading apart, explain one pixel line by line, and read a whole stage in GLSL. **Before.**
+# > Lesson 2. **Time.** 45 minutes.
 #
 # "In a second render call, the model is rendered regularly, the way it would be without any SSS" (paper 2.1).
 # Regularly means Phong shading (paper 3.2): three terms added up, at every fragment of the camera's picture. It is

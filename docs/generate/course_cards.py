@@ -1,4 +1,6 @@
-"""The lessons of the course as cards: picture, title, minutes and aims, as each lesson says them of itself."""
+"""The lessons of the course as cards for students and as a plan for teachers, as each lesson says them of itself."""
+
+from markup import table
 
 from sss_ref.course.lessons import Lesson, lessons
 
@@ -30,3 +32,14 @@ def card(lesson: Lesson) -> str:
     """One lesson's card."""
     plan = lesson.plan
     return CARD.format(title=lesson.title, name=lesson.name, aims=plan["aims"], minutes=plan["minutes"])
+
+
+def plan() -> str:
+    """The Markdown that the teachers' page includes: a row for each lesson."""
+    rows = [[f"[{each.title}](/generated/course/{each.name})", *planned(each)] for each in lessons()]
+    return table(["lesson", "minutes", "aims", "before"], rows) + "\n"
+
+
+def planned(lesson: Lesson) -> list[str]:
+    """Minutes, aims and what it builds on."""
+    return [lesson.plan[key] for key in ("minutes", "aims", "before")]

@@ -26,6 +26,7 @@ def texts() -> dict[str, str]:
         "mapping_file": mapping_reference.page(),
         "command_line": command_reference.page(),
         "lessons": course_cards.page(),
+        "plan": course_cards.plan(),
         "language": language_reference.page(),
         **stage_reference.pages(),
     }
