@@ -5,6 +5,7 @@ Nothing is placed that might as well be another buffer, or another file: such ar
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import product
 
 import numpy as np
 
@@ -77,7 +78,8 @@ class Arrangement:
 def place(surfaces: list[Unnamed], oracle: Result) -> Arrangement:
     """Place the surfaces among the buffers of a rendering."""
     board = _Board(surfaces, oracle)
-    for least in STEPS:
+    board.follow_labels()
+    for board.with_spare, least in product((False, True), STEPS):
         while board.advance(least):
             pass
     return board.result()
@@ -93,6 +95,7 @@ class _Board:
     margins: dict[str, float] = field(default_factory=dict)
     drawn: dict[str, np.ndarray] = field(default_factory=dict)
     predicted: Mapping[str, Reading] = field(default_factory=dict)
+    with_spare: bool = False
 
     def __post_init__(self) -> None:
         scene = self.oracle.scene
@@ -101,6 +104,17 @@ class _Board:
         self.wanted = {name: each for name, each in found.items() if not each.is_blank}
         self.comparison = Comparison(self.surfaces, self.wanted)
         self.rerun = Rerun(self.oracle, self.wanted)
+
+    def follow_labels(self) -> None:
+        """Place what is called like a buffer, if it may be that; of several the one that is most like it."""
+        for name in self.wanted:
+            named = (
+                number for number, one in enumerate(self.surfaces) if name in one.labels and not self.is_used(number)
+            )
+            found = [each for number in named if (each := self.candidate(number, name))]
+            if found:
+                self.put(max(found, key=lambda each: each.score), 1.0)
+        self.predicted = self.rerun.readings(self.drawn)
 
     def advance(self, least: float) -> bool:
         """Place what is sure enough and for which at least so much speaks; whether there was any."""
@@ -115,7 +129,7 @@ class _Board:
 
     def candidates(self) -> list[Candidate]:
         """Every free surface for every free buffer."""
-        surfaces = [number for number, one in enumerate(self.surfaces) if not one.is_blank]
+        surfaces = [n for n, one in enumerate(self.surfaces) if not one.is_blank and self.with_spare >= one.is_spare]
         names = [name for name in self.wanted if name not in self.places]
         found = (self.candidate(surface, name) for name in names for surface in surfaces)
         return [each for each in found if each]

@@ -9,6 +9,7 @@ from typing import Any
 
 from sss_ref.capture.candidate import FITS
 from sss_ref.capture.placing import Arrangement, Placement, Question, place
+from sss_ref.capture.renderdoc_file import captured
 from sss_ref.capture.surfaces import surfaces_of
 from sss_ref.dump.read import Dump, dump_of
 from sss_ref.dump.sources import Source, Sources
@@ -18,6 +19,7 @@ from sss_ref.rendering.result import Result
 
 HEAD = "# Which file holds which buffer of {scene}, told by what is in the files. Correct it where it is wrong.\n"
 MAPPING = "mapping.toml"
+NOT_KNOWN = "no buffer of the scene is like it"
 
 
 @dataclass(frozen=True)
@@ -40,8 +42,10 @@ class Recognized:
         for name, each in self.placed.placements.items():
             yield from (f"{name}: {doubt}" for doubt in self._doubts(each))
         yield from (self.asked(question) for question in self.placed.questions)
+        twins = {each.surface.content: each.surface for each in self.placed.placements.values()}
         for surface in self.placed.unknown:
-            yield f"{surface}: left out, no buffer of the scene is like it"
+            same = twins.get(surface.content)
+            yield f"{surface}: left out, {f'it holds the same as {same}' if same else NOT_KNOWN}"
         yield from self.notes
 
     def _doubts(self, each: Placement) -> Iterator[str]:
@@ -100,10 +104,13 @@ class Recognized:
         return path
 
 
-def recognized(folder: Path, oracle: Result) -> Recognized:
-    """The pictures of a folder, placed among the buffers of a rendering that has them all. Raises DumpError."""
-    surfaces, notes = surfaces_of(folder)
-    return Recognized(folder, oracle, place(surfaces, oracle), tuple(notes))
+def recognized(source: Path, oracle: Result, folder: Path | None = None) -> Recognized:
+    """The pictures of a folder or a capture, placed among the buffers of a rendering that has them all.
+
+    folder: where those of a capture are written, which must be there. Raises DumpError.
+    """
+    surfaces, notes = captured(source, folder) if folder else surfaces_of(source)
+    return Recognized(folder or source, oracle, place(surfaces, oracle), tuple(notes))
 
 
 def _ways(each: Placement) -> list[str]:

@@ -1,6 +1,7 @@
 """The pictures of a folder whose names say nothing: every surface of every file that can be read."""
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
@@ -23,15 +24,17 @@ HALF_A_STEP = 0.51  # of the steps between a storage's numbers, and a little for
 class Unnamed:
     """A picture: its file, the channels of it that belong together, and what is known of it beside its texels.
 
-    part: what the mapping file calls it, None where the file has one alone. labels: buffers that it is named after.
-    order: of a capture the event that wrote it, else 0.
+    part: what the mapping file calls it, None where the file has one alone. labels: of a capture, what it is called.
+    is_spare: whether it counts only where no other is the buffer, as the depths do that a draw tests against.
+    given: keys of the mapping file that say what the file does not.
     """
 
     path: Path
     texels: StoredTexels
     part: str | None = None
     labels: tuple[str, ...] = ()
-    order: int = 0
+    is_spare: bool = False
+    given: Mapping[str, Any] = field(default_factory=dict)
 
     def __str__(self) -> str:
         return self.path.name if self.part is None else f"{self.path.name} ({self.part}: {', '.join(self.channels)})"
@@ -86,7 +89,7 @@ class Unnamed:
         """What the mapping file says of where it is."""
         names = [self.channels[channel] for channel in channels]
         part = {} if self.part is None else {"part": self.part}
-        return {"file": self.path.name, **part, "channels": names, "origin": origin}
+        return {"file": self.path.name, **part, "channels": names, "origin": origin, **self.given}
 
 
 def surfaces_of(folder: Path) -> tuple[list[Unnamed], list[str]]:

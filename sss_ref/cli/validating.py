@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
@@ -28,7 +29,8 @@ def validate(
     dump: Annotated[
         Path | None,
         Parameter(
-            help="A folder of buffers or a mapping file; with `--run-glsl` a folder of shaders (camera.frag ...)."
+            help="A folder of buffers, a mapping file or a RenderDoc capture; with `--run-glsl` a folder of shaders "
+            "(camera.frag ...)."
         ),
     ] = None,
     /,
@@ -64,6 +66,7 @@ def validate(
     Every stage gets what was drawn before it, so an error counts where it is made. Exit code 1 if a stage is wrong, 2
     if nothing could be judged.
     """
+    from sss_ref.capture.renderdoc_file import is_capture
     from sss_ref.rendering.fold import render
     from sss_ref.scene.load import load_scene
     from sss_ref.validation.clock import Clock
@@ -73,6 +76,7 @@ def validate(
 
     if junit:
         checked_junit_file(junit)
+    by_content = auto or (is_capture(dump) and not run_glsl)
     loaded = load_scene(scene, **changes.overrides())
     if metrics:
         require_packages()
@@ -80,7 +84,7 @@ def validate(
     with progress("reading") as show:
         clock = Clock(show)
         with clock.phase("reading"):
-            given = None if auto else _drawn(loaded, dump) if run_glsl else _dumped(loaded, dump, origin)
+            given = None if by_content else _drawn(loaded, dump) if run_glsl else _dumped(loaded, dump, origin)
             only = _judged_pixels(loaded, region, exclude)
         with clock.phase("rendering"):
             oracle = render(loaded, execution.interpreter, execution.threads, on_pass=lambda name: show(f"pass {name}"))
@@ -126,10 +130,12 @@ def _dumped(scene: "Scene", dump: Path | None, origin: Literal["top", "bottom"] 
 def _recognized(oracle: "Result", dump: Path | None) -> "Drawing":
     """The buffers that pictures without telling names are."""
     from sss_ref.capture.recognized import recognized
+    from sss_ref.capture.renderdoc_file import is_capture
 
-    found = recognized(_given(dump), oracle)
-    tell_doubts(found)
-    return _told(found.dump())
+    with TemporaryDirectory() as folder:
+        found = recognized(_given(dump), oracle, Path(folder) if is_capture(dump) else None)
+        tell_doubts(found)
+        return _told(found.dump())
 
 
 def _given(dump: Path | None) -> Path:
