@@ -25,6 +25,7 @@ TAKEN = {  # lesson -> which of its pictures, from 0
     "09_validate_your_shader": 0,
     "10_diffusion": 0,
     "11_taps_and_thickness": 2,
+    "12_how_far": 1,
 }
 SIZE = 640, 320  # pixels at most
 

@@ -13,7 +13,7 @@ from sss_ref.errors import ShaderError
 from sss_ref.gl.context import open_context
 
 SOLUTIONS = solutions()
-WALKS = {"10_diffusion", "11_taps_and_thickness"}  # a random walk is no stage
+WALKS = {"10_diffusion", "11_taps_and_thickness", "12_how_far"}  # a random walk is no stage
 SENTENCES = re.compile(r"[.?!](?= |$)")
 
 

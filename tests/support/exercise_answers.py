@@ -238,6 +238,21 @@ ERRORS = {  # what readers write
         lambda thin, through_thin, thick, through_thick: math.log(through_thin / through_thick) / (thick - thin),
         lambda thin, through_thin, thick, through_thick: 0.6,
     ],
+    checks.samples_for: [
+        lambda error, samples, wanted: samples * (error / wanted) ** 2 - samples,
+        lambda error, samples, wanted: samples * math.sqrt(error / wanted),
+        lambda error, samples, wanted: 0,
+    ],
+    checks.error_without_noise: [
+        lambda picture, truth, error: math.sqrt(((picture - truth) ** 2).mean()) / truth.mean() - error.mean(),
+        lambda picture, truth, error: np.sqrt(np.maximum((picture - truth) ** 2 - error**2, 0).mean()) / truth.mean(),
+        lambda picture, truth, error: np.abs(picture - truth).mean() / truth.mean(),
+    ],
+    checks.best_factor: [
+        lambda picture, truth: (truth / picture).mean(),
+        lambda picture, truth: picture @ truth / (truth @ truth),
+        lambda picture, truth: math.sqrt((truth @ truth) / (picture @ picture)),
+    ],
     checks.wrong_stages: [
         lambda: {"A": "shadow_lookup_nearest", "B": "phong_shading", "C": "scatter_inside"},  # the first other bits
         lambda: {"A": "translucency_ratio", "B": None, "C": "scatter_inside"},  # a consequence

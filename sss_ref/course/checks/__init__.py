@@ -12,18 +12,21 @@ from sss_ref.course.checks.lesson_8 import difference_of_squares_in_glsl, same_b
 from sss_ref.course.checks.lesson_9 import mended_lambert, mended_srgb_in_glsl, wrong_stages
 from sss_ref.course.checks.lesson_10 import albedo_of, free_path, photons_needed
 from sss_ref.course.checks.lesson_11 import blurred_twice, exponent_between, millimetres_per_offset
+from sss_ref.course.checks.lesson_12 import best_factor, error_without_noise, samples_for
 
 __all__ = [
     "NotChecked",
     "NotYet",
     "albedo_after_the_blur",
     "albedo_of",
+    "best_factor",
     "blur_on_the_body",
     "blurred_twice",
     "colour_kept",
     "cover_once",
     "difference_of_squares_in_glsl",
     "distance_of_a_wall",
+    "error_without_noise",
     "exponent_between",
     "free_path",
     "highlight_in_glsl",
@@ -41,6 +44,7 @@ __all__ = [
     "photons_needed",
     "ratio_in_glsl",
     "same_bits",
+    "samples_for",
     "stencilled",
     "stranger_in_glsl",
     "texel_that_holds",
