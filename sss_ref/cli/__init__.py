@@ -18,6 +18,7 @@ from sss_ref.cli.starting import init
 from sss_ref.cli.truth_commands import truth
 from sss_ref.cli.validating import validate
 from sss_ref.cli.view_command import view
+from sss_ref.cli.witness_command import witness
 from sss_ref.errors import SssRefError
 
 MAPPING = "Print a mapping file to edit, with every buffer of a scene; its help explains every key."
@@ -44,6 +45,7 @@ for command in (
     bundle,
     webgl,
     validate,
+    witness,
     truth,
     fit,
     course,
@@ -61,8 +63,8 @@ app.command("sss_ref.cli.mapping_command:mapping", name="mapping", help=MAPPING)
 def main(tokens: list[str] | None = None) -> int:
     """Run the command line; returns the exit code.
 
-    0, or 1 where `verify`, `diff` or `validate` finds a difference, `import` asks for something or an item of `batch`
-    failed, or 2 for bad input, and where nothing was judged.
+    0, or 1 where `verify`, `diff`, `validate` or `witness` finds a difference,
+    `import` asks for something or an item of `batch` failed, or 2 for bad input, and where nothing was judged.
     """
     try:
         return app(tokens, exit_on_error=False, error_console=err) or 0

@@ -56,6 +56,10 @@ def validate(
     junit: Annotated[
         Path | None, Parameter(help="A file for the verdicts as JUnit XML, a test case a buffer.", show_default=False)
     ] = None,
+    witness: Annotated[
+        Path | None,
+        Parameter(help="A file for the worst pixel, cut down to its stage: see `witness`.", show_default=False),
+    ] = None,
     metrics: Annotated[bool, Parameter(negative="", help="Tell also what SSIM and FLIP say of the pictures.")] = False,
     haste: Haste = NO_HASTE,
     changes: Changes = NO_CHANGES,
@@ -102,9 +106,23 @@ def validate(
         out.print(f"{write_report(found, report, f'{scene}: is it right?')}", markup=False)
     if junit:
         out.print(f"{write_junit(found, junit, scene)}", markup=False)
+    if witness:
+        out.print(_written_witness(found, witness), markup=False)
     if not found.judged:
         raise DumpError(_nothing_judged(found, "--run-glsl" if run_glsl else str(dump)))
     return 0 if found.passed else DIFFERS
+
+
+def _written_witness(found: "Report", path: Path) -> str:
+    """Write the witness, if there is one; what came of it, in words."""
+    from sss_ref.validation.witness.recording import recorded
+    from sss_ref.validation.witness.witness_record import write_record
+
+    if found.finding is None:
+        return f"{path} not written: no stage is wrong"
+    if found.finding.witness is None:
+        return f"{path} not written: only a pixel that a stage computes can be cut down to it"
+    return f"{write_record(recorded(found.finding.witness), path)}: judge it with sss-ref witness"
 
 
 def _nothing_judged(found: "Report", where: str) -> str:

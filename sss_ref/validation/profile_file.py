@@ -16,6 +16,7 @@ from sss_ref.interpret.intervals.profile import PROFILES, Profile
 from sss_ref.numerics.bounded import Bounded
 from sss_ref.scene_file.quantities import Count, NonNegative, Table
 
+DEFAULT_BASE = "vulkan"
 CHECKED: dict[Any, Any] = {float: NonNegative, int: Count}  # what the numbers of a profile must be
 
 
@@ -38,7 +39,7 @@ def _bounds_table() -> type[BaseModel]:
 @cache
 def _profile_table() -> type[BaseModel]:
     bounds = _bounds_table()
-    base = {"based_on": (Literal[tuple(PROFILES)], "vulkan"), "bounds": (bounds, bounds())}
+    base = {"based_on": (Literal[tuple(PROFILES)], DEFAULT_BASE), "bounds": (bounds, bounds())}
     return _table("ProfileTable", base | _keys_of(Profile))
 
 
@@ -50,7 +51,30 @@ def profile_of(name: str | os.PathLike[str]) -> Profile:
     Raises ProfileError, which lists all that is wrong with the file.
     """
     name = os.fspath(name)
-    return PROFILES[name] if name in PROFILES else _profile(_validated(_parsed(name), name))
+    return PROFILES[name] if name in PROFILES else profile_in(_parsed(name), name)
+
+
+def profile_in(data: Mapping[str, Any], source: str) -> Profile:
+    """The profile that the tables of such a file give; `source` stands in the messages. Raises ProfileError."""
+    return _profile(_validated(data, source))
+
+
+def tables_of(profile: Profile) -> dict[str, Any]:
+    """The tables that `profile_in` makes a profile of again, but for what it has other in vertex shaders."""
+    named = [name for name, each in PROFILES.items() if each == profile]
+    exact = not isinstance(profile.arithmetic, Bounded)
+    name = named[0] if named else "ieee" if exact else DEFAULT_BASE
+    base = PROFILES[name]
+    tables: dict[str, Any] = {"based_on": name} | _other(profile, base)
+    if isinstance(profile.arithmetic, Bounded) and isinstance(base.arithmetic, Bounded):
+        bounds = _other(profile.arithmetic, base.arithmetic)
+        return tables | ({"bounds": bounds} if bounds else {})
+    return tables
+
+
+def _other(given: Profile | Bounded, base: Profile | Bounded) -> dict[str, Any]:
+    """The keys of a file in which two of a kind differ."""
+    return {key: value for key in _keys_of(type(given)) if (value := getattr(given, key)) != getattr(base, key)}
 
 
 def _parsed(name: str) -> dict[str, Any]:

@@ -207,11 +207,13 @@ def _finding(case: Case, check: Check, verdict: Verdict, seconds: float) -> Find
     from sss_ref.validation.cause.hypotheses import hypotheses
     from sss_ref.validation.cause.puzzle import Puzzle
     from sss_ref.validation.report.worst_pixel import worst_pixel
+    from sss_ref.validation.witness.cutting import cut_down
 
     drawn = last_round(case, case.oracle.scene.method[check.pass_name])
     section = worst_pixel(check, verdict.worst.at, drawn) if verdict.worst else None
+    witness = cut_down(check, verdict.worst.at, drawn) if verdict.worst else None
     if not check.where.any():
-        return Finding(check, (), section)
+        return Finding(check, (), section, witness=witness)
     limit = Limit(seconds)
     found = hypotheses(Puzzle(case, check, drawn, all_stages(), limit))
-    return Finding(check, tuple(found), section, limit.told)
+    return Finding(check, tuple(found), section, limit.told, witness)

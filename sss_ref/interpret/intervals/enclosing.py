@@ -175,7 +175,7 @@ class _Walk:
 
     def fetch(self, low: np.ndarray, high: np.ndarray, index: list[Interval], doubt: Any) -> Outcome:
         """An element of a texture or array, or the hull of all that the index may mean."""
-        value, several = value_sets.fetched(low, high, index)
+        value, several = self.operations.fetched(low, high, index)
         value = componentwise(self.operations.read, value)
         return Outcome(value, doubt | np.where(several, WHICH_TEXEL, NO_DOUBT) if np.any(several) else doubt)
 

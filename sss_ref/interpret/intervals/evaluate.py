@@ -10,6 +10,7 @@ from sss_ref.interpret.intervals.enclosing import Evaluated, Outcome, enclosed, 
 from sss_ref.interpret.intervals.operations import Operations
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.interpret.intervals.value_sets import Texels, componentwise, computable, picked
+from sss_ref.interpret.intervals.watching import Watching
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import Texture, Vector, components
 from sss_ref.numerics.interval import Interval, each_end, point
@@ -44,6 +45,20 @@ def run_lines(stage: Stage, inputs: Mapping[str, Any], profile: Profile) -> dict
     names = {name: _lifted(inputs[name]) for name in stage.parameters}
     with np.errstate(all="ignore"):
         return enclosed_lines(stage.body, _arguments(names, slice(0, 1), operations), operations)
+
+
+def elements_read(stage: Stage, inputs: Mapping[str, Any], profile: Profile) -> dict[str, set[tuple[int, ...]]]:
+    """Parameter -> the elements that a stage may read of it at one fragment: (row, column) of a texture, (index,).
+
+    inputs, profile: as in `run_intervals`. Of an index that may be anything only the first elements are told.
+    """
+    operations = Watching(profile)
+    names = {name: _lifted(inputs[name]) for name in stage.parameters}
+    _chunk(stage, names, slice(0, 1), operations)
+    held = {
+        name: value.low if isinstance(value, Texels) else getattr(value, "data", None) for name, value in names.items()
+    }
+    return {name: operations.read_of(array) for name, array in held.items() if array is not None}
 
 
 def _chunk(stage: Stage, names: Mapping[str, Any], at: slice, operations: Operations) -> dict[str, Outcome]:

@@ -4,14 +4,14 @@ What a processor may compute in another way than it is written is taken whole: d
 matrix times vector.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import reduce
 from typing import Any
 
 import numpy as np
 
 from sss_ref.interpret.intervals.profile import Profile
-from sss_ref.interpret.intervals.value_sets import Texels, componentwise
+from sss_ref.interpret.intervals.value_sets import Texels, componentwise, fetched
 from sss_ref.language.builtins import dot, mix, normalize
 from sss_ref.language.sampling import bilinear_blend, nearest_texel, sample_bilinear, sample_repeated
 from sss_ref.language.types import Vector, ivec2, mat3, mat4
@@ -86,6 +86,10 @@ class Operations:
     def read(self, a: Interval) -> Interval:
         """What memory holds, as far as the processor tells small numbers from 0."""
         return self.arithmetic.representable(a) if np.asarray(a.low).dtype == np.float64 else a
+
+    def fetched(self, low: np.ndarray, high: np.ndarray, index: Sequence[Interval]) -> tuple[Any, Any]:
+        """What a texture or an array holds at an index; as `value_sets.fetched` has it."""
+        return fetched(low, high, index)
 
     def transformed(self, matrix: mat3 | mat4, v: Vector) -> Vector:
         """Matrix times vector, each row a scalar product."""

@@ -18,7 +18,7 @@ from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import KnownBuffer
 from sss_ref.validation.accept.outside import nothing_drawn
-from sss_ref.validation.accept.storage import depth_storage, lost_in_storage, step_of
+from sss_ref.validation.accept.storage import depth_storage, moved
 from sss_ref.validation.accept.walk import filled, in_rounds, untouched
 
 RASTERIZER = "rasterizer"  # the name under which what the draw itself writes is judged
@@ -89,8 +89,7 @@ def _as_stored(check: Check, case: Case) -> Check:
     rounded = case.drawing.rounded.get(check.buffer, "float32")
     if loss_of(storage) == loss_of(rounded) == EXACT:
         return check
-    texture = step_of(rounded, check.got)
-    return replace(check, reach=check.reach + lost_in_storage(storage, check.expected, check.got) + texture)
+    return replace(check, reach=check.reach + moved(storage, rounded, check.expected, check.got))
 
 
 def _checks_of_draw(case: Case, drawn: DrawnPass) -> Iterator[Check]:

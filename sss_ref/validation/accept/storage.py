@@ -58,3 +58,8 @@ def lost_in_storage(storage: str | Loss, computed: np.ndarray, held: np.ndarray)
     with np.errstate(invalid="ignore"):
         moved = np.fmax(step, np.abs(held - likeliest))  # of NaN nothing is known but its step
     return np.where(np.isinf(held) & (likeliest != exact), step, moved)  # what is in range never becomes infinite
+
+
+def moved(stored: str | Loss, rounded: str | Loss, computed: np.ndarray, held: np.ndarray) -> np.ndarray:
+    """How far, float64, a file and the texture before it may have moved a value; stored, rounded: as in `Drawing`."""
+    return lost_in_storage(stored, computed, held) + step_of(rounded, held)

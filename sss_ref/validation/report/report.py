@@ -13,6 +13,7 @@ from sss_ref.validation.verdict.verdict import Verdict
 if TYPE_CHECKING:  # a right dump is told without them
     from sss_ref.explanation.rows import Section
     from sss_ref.validation.cause.power import Power
+    from sss_ref.validation.witness.witness import Witness
 
 MOST_NAMED = 6  # suspects in a sentence
 MOST_TO_DUMP = 4  # buffers that would narrow bounds
@@ -25,13 +26,15 @@ class Finding:
 
     check: its buffer beside what should be in it. hypotheses: what would explain it. section: the stage at the worst
     pixel, line by line, as it should have been and may be, then what was drawn; None for what the rasterizer wrote.
-    not_tried: which explanations were not, in a sentence; empty if all were.
+    not_tried: which explanations were not, in a sentence; empty if all were. witness: the worst pixel cut down to the
+    stage; None of the rasterizer, and where no pixel of a stage is wrong.
     """
 
     check: Check
     hypotheses: tuple[Hypothesis, ...]
     section: "Section | None"
     not_tried: str = ""
+    witness: "Witness | None" = None
 
 
 @dataclass(frozen=True)
