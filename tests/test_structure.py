@@ -38,6 +38,7 @@ ROOMS = [  # from the ground up: whoever stands higher imports from those below
         "explanation",
         "bundle",
         "validation",
+        "neutral",
     ),
     *("gl", "webgl", "webgpu", "viewer", "course", "cli", "pytest_plugin"),
     "__main__",

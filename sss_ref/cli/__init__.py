@@ -12,6 +12,7 @@ from sss_ref.cli.fit_command import fit
 from sss_ref.cli.import_command import import_
 from sss_ref.cli.listing import info, scenes
 from sss_ref.cli.measure_command import measure
+from sss_ref.cli.neutral_command import neutral
 from sss_ref.cli.render_commands import render, warmup
 from sss_ref.cli.shader_commands import bundle, glsl, webgl
 from sss_ref.cli.starting import init
@@ -46,6 +47,7 @@ for command in (
     webgl,
     validate,
     witness,
+    neutral,
     truth,
     fit,
     course,
@@ -63,7 +65,7 @@ app.command("sss_ref.cli.mapping_command:mapping", name="mapping", help=MAPPING)
 def main(tokens: list[str] | None = None) -> int:
     """Run the command line; returns the exit code.
 
-    0, or 1 where `verify`, `diff`, `validate` or `witness` finds a difference,
+    0, or 1 where `verify`, `diff`, `validate`, `witness` or `neutral` finds a difference,
     `import` asks for something or an item of `batch` failed, or 2 for bad input, and where nothing was judged.
     """
     try:

@@ -9,9 +9,9 @@ import numpy as np
 
 from sss_ref.gl.canvas import Canvas
 from sss_ref.gl.context import open_context
-from sss_ref.gl.folding import Painter, drawn
+from sss_ref.gl.folding import Painter, drawn, pass_drawn
 from sss_ref.gl.shaders import Files, ShaderPair
-from sss_ref.gl.uploads import downloaded, filled
+from sss_ref.gl.uploads import downloaded, filled, uploaded
 from sss_ref.interpret.shader import GLSL
 from sss_ref.language.pipeline import Pass
 from sss_ref.scene.scene import Scene
@@ -35,6 +35,16 @@ def draw(
     SceneError for an unknown buffer.
     """
     return drawn(scene, shaders or {}, keep, _painting)
+
+
+def draw_pass(
+    scene: Scene, this_pass: Pass, buffers: Mapping[str, np.ndarray], shaders: Mapping[str, Files] | None = None
+) -> dict[str, np.ndarray]:
+    """Draw a single pass of a scene that reads these buffers; what it writes.
+
+    shaders: as in `draw`. Raises ShaderError as that does.
+    """
+    return pass_drawn(scene, this_pass, buffers, shaders or {}, _painting)
 
 
 @contextmanager
@@ -63,6 +73,10 @@ class _GlPainter:
             return self.draw(this_pass, pair, program)
 
         return run
+
+    def uploaded(self, buffer: np.ndarray) -> "Texture":
+        """A texture that holds a buffer."""
+        return uploaded(self.canvas.context, buffer)
 
     def downloaded(self, texture: "Texture", kind: Any) -> np.ndarray:
         """The buffer of a type that a texture holds."""

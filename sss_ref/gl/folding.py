@@ -24,6 +24,9 @@ class Painter(Protocol[T]):
     def prepared(self, this_pass: Pass, pair: ShaderPair) -> Callable[[Mapping[str, T]], dict[str, T]]:
         """A draw, compiled: from the textures that are there by buffer to those that it fills."""
 
+    def uploaded(self, buffer: np.ndarray) -> T:
+        """A texture that holds a buffer."""
+
     def downloaded(self, texture: T, kind: Any) -> np.ndarray:
         """The buffer of a type that a texture holds: (H, W), or (H, W, C) for vectors."""
 
@@ -47,6 +50,22 @@ def drawn(
         for each in passes.values():
             drawing.run(each)
         return drawing.buffers
+
+
+def pass_drawn(
+    scene: Scene,
+    this_pass: Pass,
+    buffers: Mapping[str, np.ndarray],
+    shaders: Mapping[str, Files],
+    painting: Callable[[Scene], AbstractContextManager[Painter[T]]],
+) -> dict[str, np.ndarray]:
+    """What a single pass writes that reads these buffers; the other arguments as `drawn` takes them."""
+    with painting(scene) as painter:
+        given = {name: painter.uploaded(buffer) for name, buffer in buffers.items()}
+        drawing = _Drawing(scene, shaders, painter, {*this_pass.outputs}, given)
+        drawing.run(this_pass)
+        written = {name: drawing.textures[name] for name in this_pass.outputs if name in drawing.textures}
+        return {name: painter.downloaded(texture, this_pass.outputs[name]) for name, texture in written.items()}
 
 
 @dataclass

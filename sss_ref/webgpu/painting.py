@@ -74,6 +74,10 @@ class _WebGpuPainter:
         later_wins = this_pass.draw.layout and self.scene.settings.irradiance_map.overlap == "last"
         return DrawnMesh(mesh.attributes, mesh.triangles, later_wins)
 
+    def uploaded(self, buffer: np.ndarray) -> "GPUTexture":
+        """A texture that holds a buffer."""
+        return uploaded(self.device, buffer)
+
     def downloaded(self, texture: "GPUTexture", kind: Any) -> np.ndarray:
         """The buffer of a type that a texture holds."""
         return downloaded(self.device, texture, kind)

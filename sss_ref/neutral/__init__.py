@@ -1,0 +1,1 @@
+"""Changes that must change nothing: a scene is drawn twice, and what comes out is compared bit for bit."""
