@@ -11,7 +11,7 @@ from sss_ref.scene.scene import Scene
 
 
 @dataclass(frozen=True)
-class Trial:
+class NeutralTrial:
     """What came of one change.
 
     name, says: which it is. compared: how many buffers were. broken: the first of them that is another, with its first
@@ -31,7 +31,7 @@ class Trial:
         return f"broken: {self.name}: {self.broken}" if self.broken else f"holds: {self.name}: {self.compared} buffers"
 
 
-def neutral(scene: Scene, artist: Artist | None = None, only: Collection[str] = ()) -> Iterator[Trial]:
+def neutral(scene: Scene, artist: Artist | None = None, only: Collection[str] = ()) -> Iterator[NeutralTrial]:
     """Change what must change nothing, and compare all buffers bit for bit, one change after the other.
 
     scene: with the user's own stages, if they are to be tried (see `with_stage`). artist: what draws; without, the
@@ -47,9 +47,9 @@ def neutral(scene: Scene, artist: Artist | None = None, only: Collection[str] = 
             yield _outcome(name, (relation.__doc__ or "").splitlines()[0], relation(easel))
 
 
-def _outcome(name: str, says: str, found: Compared) -> Trial:
+def _outcome(name: str, says: str, found: Compared) -> NeutralTrial:
     if isinstance(found, str):
-        return Trial(name, says, not_tried=found)
+        return NeutralTrial(name, says, not_tried=found)
     compared = list(found)
     broken = next((str(each) for each in compared if each.differs), "")
-    return Trial(name, says, len(compared), broken)
+    return NeutralTrial(name, says, len(compared), broken)
