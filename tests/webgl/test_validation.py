@@ -17,6 +17,10 @@ pytestmark = needs_chromium
 
 SWIFTSHADER = replace(PROFILES["vulkan"], subpixel_bits=SUBPIXEL_BITS)
 QUICK = ["figure3_with", "figure4_wax", "figure5"]
+TECHNIQUES = [
+    "preintegrated",
+    *(pytest.param(each, marks=pytest.mark.full) for each in ("separable", "burley", "gaussian_texture")),
+]
 SMALL = {f"{table}.{side}": 96 for table in ("camera", "shadow_map", "irradiance_map") for side in ("width", "height")}
 
 
@@ -24,7 +28,15 @@ SMALL = {f"{table}.{side}": 96 for table in ("camera", "shadow_map", "irradiance
     "name", [*QUICK, *(pytest.param(each, marks=pytest.mark.full) for each in scene_names() if each not in QUICK)]
 )
 def test_every_shipped_scene_passes(name):
-    scene = load_scene(name, **SMALL)
+    assert_passes(load_scene(name, **SMALL))
+
+
+@pytest.mark.parametrize("method", TECHNIQUES)
+def test_every_technique_passes(method):
+    assert_passes(load_scene("figure3_with", **SMALL, method=method))
+
+
+def assert_passes(scene):
     oracle, drawing = render(scene, interpreter="arrays"), webgl.draw(scene)
     found = validate(oracle, drawing, profile=SWIFTSHADER)
     assert found.passed, found.summary
