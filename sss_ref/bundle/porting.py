@@ -1,5 +1,8 @@
 """PORTING.md: what somebody must know who draws a bundle with a renderer of their own."""
 
+import textwrap
+
+from sss_ref.bundle.languages import PortedLanguage
 from sss_ref.scene.scene import Scene
 
 TEXT = """# Porting this scene
@@ -14,7 +17,7 @@ Method `{method}`, preset `{preset}`, mesh `{mesh}`; every number is in the file
 | `uniforms.json` | every uniform by the name in the shaders; matrices are row by row and act on column vectors |
 | `textures/*.npy` | pictures (H, W, 3) and arrays too long for a uniform, row 0 at the bottom |
 | `passes.json` | the passes in order: size, draw, what they read, targets with format and clear value |
-| `shaders/` | GLSL 4.0: PASS.vert, and a .frag for every draw of at most eight targets |
+| `shaders/` | {version}: PASS.vert, and a .frag for every draw of at most {most} targets |
 | `scene.json` | the scene with every key filled; with it this folder is a scene to `sss-ref`, wherever it lies |
 | `mapping.toml` | a mapping file to copy into a dump and edit, with every buffer and every key |
 
@@ -22,13 +25,9 @@ Method `{method}`, preset `{preset}`, mesh `{mesh}`; every number is in the file
 {passes}
 
 ## Conventions
-- Clip space is OpenGL's, -w <= x, y, z <= w; window depth 0.5*z/w + 0.5, cleared to 1. Nothing is culled or blended.
-- Textures have row 0 at the bottom; texel (i, j) has its centre at ((i + 0.5)/W, (j + 0.5)/H). With y pointing down
-  (Direct3D, Vulkan, Metal, WebGPU) mirror the clip position, or the rows of what you dump; see docs/how_to/y_down.md.
-- Every texture is read by texelFetch; filters are written in the shaders. Textures with the names of buffers are the
-  targets of earlier passes.
-- OpenGL stores matrices column by column: transpose, or let glUniformMatrix do it.
-- `triangle` is the index of the triangle in `triangles.npy` (gl_PrimitiveID in one indexed draw). R8UI holds 0 or 1.
+{notes}
+- Texel (i, j) has its centre at ((i + 0.5)/W, (j + 0.5)/H). Textures with the names of buffers are the targets of
+  earlier passes. {truth} holds 0 or 1.
 - An array too long for a uniform is a texture W = {array_width} texels wide, element k at (k % W, k / W).
 - A pass with `rounds` n runs n times; before each but the first, what `feedback` names takes the place of what it read.
 - `rectangle` with `discards_where_0`: the fragment shader discards where that buffer is 0 (a stencil does as well).
@@ -45,8 +44,8 @@ what a narrower format loses is told apart only if the mapping file says so.
 """
 
 
-def guide(scene: Scene) -> str:
-    """The text for one scene."""
+def guide(scene: Scene, language: PortedLanguage) -> str:
+    """The text for one scene in a shading language."""
     from sss_ref.interpret.shader import ARRAY_WIDTH
 
     listed = []
@@ -60,4 +59,14 @@ def guide(scene: Scene) -> str:
         mesh=scene.mesh.name,
         passes="\n".join(listed),
         array_width=ARRAY_WIDTH,
+        version=language.version,
+        most=language.dialect.most_outputs,
+        notes="\n".join(map(_item, language.notes)),
+        truth=language.formats[bool],
     )
+
+
+def _item(note: str) -> str:
+    """A note as an item of a list, in lines of its own."""
+    plain = " ".join(note.split())
+    return textwrap.fill(plain, 118, initial_indent="- ", subsequent_indent="  ", break_on_hyphens=False)

@@ -16,6 +16,11 @@ if TYPE_CHECKING:
     from sss_ref.language.pipeline import Pass
     from sss_ref.language.stage import Stage
 
+InDialect = Annotated[
+    Literal["glsl", "vulkan", "essl", "hlsl", "wgsl"],
+    Parameter(help="Of OpenGL, Vulkan, WebGL 2 and OpenGL ES 3, Direct3D, or WebGPU."),
+]
+
 
 def glsl(
     stage: Annotated[str | None, Parameter(help="A stage, to print it as a function.", show_default=False)] = None,
@@ -26,10 +31,7 @@ def glsl(
     output: Annotated[
         Path | None, Parameter(alias="-o", help="A folder for the shaders of all passes.", show_default=False)
     ] = None,
-    dialect: Annotated[
-        Literal["glsl", "vulkan", "essl", "hlsl", "wgsl"],
-        Parameter(help="Of OpenGL, Vulkan, WebGL 2 and OpenGL ES 3, Direct3D, or WebGPU."),
-    ] = "glsl",
+    dialect: InDialect = "glsl",
     registers: Annotated[
         bool, Parameter(negative="", help="Let the shaders also write what no buffer holds, so that it can be judged.")
     ] = False,
@@ -60,13 +62,14 @@ def bundle(
     scene: Annotated[str, Parameter(help="A scene file, or the name of a shipped scene.")] = "default",
     *,
     output: Annotated[Path, Parameter(alias="-o", help="The folder for the bundle.")] = Path("bundle"),
+    dialect: InDialect = "glsl",
     changes: Changes = NO_CHANGES,
 ) -> int:
     """Write a scene for another renderer: mesh, uniforms, shaders, passes and a porting guide."""
     from sss_ref.bundle.writing import write_bundle
     from sss_ref.scene.load import load_scene
 
-    folder = write_bundle(load_scene(scene, **changes.overrides()), output)
+    folder = write_bundle(load_scene(scene, **changes.overrides()), output, dialect)
     out.print(f"{folder}: read PORTING.md first", markup=False)
     return 0
 

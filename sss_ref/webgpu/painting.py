@@ -30,9 +30,10 @@ def draw(
 ) -> dict[str, np.ndarray]:
     """Draw a scene by this machine's WebGPU: buffers of its method by name.
 
-    As `sss_ref.gl.draw`, but that the shaders are WGSL, the user's too: a fragment shader says what it writes as ours
-    do, @location(0) out_lit: vec4<f32>, reads the textures and uniforms that it declares, each by the name that ours
-    have, and stands in camera.frag as its vertex shader does in camera.vert.
+    The buffers are (H, W) or (H, W, C), row 0 at the bottom, as `sss_ref.gl.draw` gives them, and keep is what it is
+    there. shaders: pass -> the user's file or files as there, in WGSL: a fragment shader says what it writes as ours
+    do, @location(0) out_lit: vec4<f32>, and reads the textures and uniforms that it declares, each by the name that
+    ours have.
     adapter: words of the name of the one that draws (see `adapter_name`), for a machine that has several.
     Raises ShaderError where there is no such adapter, a shader does not compile, or a pass reads what a shader left
     out, and SceneError for an unknown buffer.

@@ -8,7 +8,15 @@ from sss_ref.interpret.shader.dialect import ARRAY_WIDTH, OUT, Dialect
 from sss_ref.interpret.shader.glsl import ESSL, GLSL
 from sss_ref.interpret.shader.hlsl import HLSL
 from sss_ref.interpret.shader.library import Library, stage_source
-from sss_ref.interpret.shader.passes import array_lengths, draws, fragment_shader, shader_files, vertex_shader
+from sss_ref.interpret.shader.passes import (
+    array_lengths,
+    draws,
+    fragment_parts,
+    fragment_shader,
+    shader_files,
+    vertex_parts,
+    vertex_shader,
+)
 from sss_ref.interpret.shader.vulkan import VULKAN
 from sss_ref.interpret.shader.wgsl import WGSL
 
@@ -27,8 +35,10 @@ __all__ = [
     "Library",
     "array_lengths",
     "draws",
+    "fragment_parts",
     "fragment_shader",
     "shader_files",
     "stage_source",
+    "vertex_parts",
     "vertex_shader",
 ]

@@ -96,7 +96,9 @@ class Dialect:
     that name. most_outputs: colour attachments that every implementation has. head: the first lines of a shader.
     vertex, fragment: what lays out a complete shader. targets: of types that no target holds, the one that it holds in
     their place, and how a value becomes one. most_bytes: of all targets of a draw together, of each pixel.
-    longest_array: elements of a uniform array; OpenGL 3.3 promises room for 1024 numbers in all.
+    longest_array: elements of a uniform array; OpenGL 3.3 promises room for 1024 numbers in all. groups: the set or
+    group of what the vertex shader reads, and of what the fragment shader does, where bindings have numbers; constants
+    have number 0 there, textures those from `first_texture` on. indexed: whether triangles may be drawn with indices.
     """
 
     title: str
@@ -124,6 +126,9 @@ class Dialect:
     targets: Mapping[Any, tuple[str, str]] = field(default_factory=lambda: {bool: ("uint", "uint({0})")})
     most_bytes: int | None = None
     longest_array: int = 64
+    groups: tuple[int, int] | None = None
+    first_texture: int = 1
+    indexed: bool = True
 
     def name(self, name: str) -> str:
         """The name of a variable or function; one that the language keeps for itself ends in an underscore."""
@@ -159,6 +164,10 @@ class Dialect:
         """The statement that writes a buffer."""
         form = self.targets[kind][1] if kind in self.targets else "{0}"
         return self.written.handed.format(name=self.out(name), value=form.format(self.name(name)))
+
+    def bound(self, textures: Mapping[str, Any]) -> dict[str, int]:
+        """Texture -> the number of its binding."""
+        return {name: number for number, name in enumerate(textures, start=self.first_texture)}
 
     def has_room(self, kinds: Sequence[Any]) -> bool:
         """Whether a draw can fill targets of these types at once."""

@@ -17,7 +17,7 @@ def vertex(parts: Parts, dialect: Dialect) -> str:
     position = ["precise gl_Position;"] if dialect.exact else []
     if not parts.mesh:
         return _shader(parts, dialect, [], position)
-    if _numbers_triangles(dialect):
+    if not dialect.indexed:
         numbered = replace(parts, lines=[*parts.lines, f"{TRIANGLE} = gl_VertexID / 3;"])
         return _shader(numbered, dialect, attributes, [*varyings, f"flat out int {TRIANGLE};"])
     return _shader(parts, dialect, attributes, [*varyings, *position])
@@ -26,16 +26,12 @@ def vertex(parts: Parts, dialect: Dialect) -> str:
 def fragment(parts: Parts, dialect: Dialect) -> str:
     """A complete fragment shader."""
     varyings = [f"in {dialect.declared(kind, name)};" for name, kind in parts.varyings.items() if name in parts.read]
-    number = [f"flat in int {TRIANGLE};"] if parts.mesh and _numbers_triangles(dialect) else []
+    number = [f"flat in int {TRIANGLE};"] if parts.mesh and not dialect.indexed else []
     written = [
         f"{'' if kind in (bool, int) else dialect.exact}layout(location = {k}) out {dialect.target(kind, name)};"
         for k, (name, kind) in enumerate(parts.outputs.items())
     ]
     return _shader(parts, dialect, varyings + number, written)
-
-
-def _numbers_triangles(dialect: Dialect) -> bool:
-    return dialect.given["triangle"] == TRIANGLE
 
 
 def _shader(parts: Parts, dialect: Dialect, inputs: list[str], outputs: list[str]) -> str:
@@ -102,5 +98,6 @@ ESSL = replace(
     exact="",
     given={**GLSL.given, "triangle": TRIANGLE},
     most_outputs=4,
+    indexed=False,
     head=("#version 300 es", *PRECISION),
 )

@@ -42,14 +42,15 @@ def _varyings(parts: Parts, dialect: Dialect, before: str) -> list[str]:
 
 
 def _shader(parts: Parts, dialect: Dialect, parameters: list[str]) -> str:
-    textures = [f"{dialect.declared(kind, name)};" for name, kind in parts.textures.items()]
+    bound = dialect.bound(parts.textures)
+    textures = [f"{dialect.declared(kind, name)} : register(t{bound[name]});" for name, kind in parts.textures.items()]
     where = places(parts.uniforms, parts.lengths)
     uniforms = [
         f"{'row_major ' * (kind in (mat3, mat4))}{dialect.declared(kind, name, parts.lengths.get(name))} : "
         f"packoffset({_row(where.offsets[name])});"
         for name, kind in parts.uniforms.items()
     ]
-    constants = braced("cbuffer Uniforms", uniforms, end="};") if uniforms else []
+    constants = braced("cbuffer Uniforms : register(b0)", uniforms, end="};") if uniforms else []
     ends = ["," for _ in parameters[1:]] + [""]
     listed = indented([parameter + end for parameter, end in zip(parameters, ends, strict=True)])
     main = ["void main(", *listed, *braced(")", parts.lines)]
@@ -107,6 +108,8 @@ HLSL = Dialect(
     ),
     reserved=HLSL_WORDS | HLSL_BUILT_INS | {"main", "returned"},  # the last: the struct that a function returns
     most_outputs=8,
+    groups=(0, 0),
+    first_texture=0,
     head=(),
     vertex=vertex,
     fragment=fragment,

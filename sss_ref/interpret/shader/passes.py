@@ -52,21 +52,26 @@ def shader_files(
 
 
 def array_lengths(uniforms: Mapping[str, Any], dialect: Dialect = GLSL) -> dict[str, int]:
-    """The lengths of those arrays among `uniforms` that are short enough for a shader; longer ones become textures."""
+    """The lengths of those arrays among `uniforms` that are short enough for a shader of a dialect; longer: textures."""
     longest = dialect.longest_array
     return {name: len(value) for name, value in uniforms.items() if np.ndim(value) and len(value) <= longest}
 
 
 def vertex_shader(this_pass: Pass, lengths: Mapping[str, int], dialect: Dialect = GLSL) -> str:
     """The vertex shader of a pass; lengths: uniform array -> its length (an array that is not listed: a texture)."""
+    return dialect.vertex(vertex_parts(this_pass, lengths, dialect), dialect)
+
+
+def vertex_parts(this_pass: Pass, lengths: Mapping[str, int], dialect: Dialect = GLSL) -> Parts:
+    """What the vertex shader of a pass consists of; the arguments are those of `vertex_shader`."""
     about = f"Vertex shader of pass {this_pass.name}, from the stages of sss_ref."
     mesh, library = this_pass.draw, Library(dialect)
     if not mesh.vertex_stages:
-        return dialect.vertex(Parts(about, {}, {}, {}, {}, "", _rectangle(dialect), mesh=False), dialect)
+        return Parts(about, {}, {}, {}, {}, "", _rectangle(dialect), mesh=False)
     (stage,) = mesh.vertex_stages
     library.stage(stage, lengths)
     reads = Reads.of((stage,), MESH_ATTRIBUTES, ())
-    parts = Parts(
+    return Parts(
         about=about,
         textures=reads.all_textures(lengths),
         uniforms=reads.values(lengths),
@@ -77,7 +82,6 @@ def vertex_shader(this_pass: Pass, lengths: Mapping[str, int], dialect: Dialect 
         mesh=True,
         attributes={own: kind for own, kind in stage.parameters.items() if own in MESH_ATTRIBUTES},
     )
-    return dialect.vertex(parts, dialect)
 
 
 def fragment_shader(
@@ -91,13 +95,24 @@ def fragment_shader(
 
     buffers: the names it reads from earlier passes. lengths: uniform array -> its length (of others: a texture).
     """
+    return dialect.fragment(fragment_parts(this_pass, buffers, outputs, lengths, dialect), dialect)
+
+
+def fragment_parts(
+    this_pass: Pass,
+    buffers: Collection[str],
+    outputs: Collection[str],
+    lengths: Mapping[str, int],
+    dialect: Dialect = GLSL,
+) -> Parts:
+    """What the fragment shader that fills `outputs` consists of; the arguments are those of `fragment_shader`."""
     this_pass, library = this_pass.only(set(outputs)), Library(dialect)
     for stage in this_pass.stages:
         library.stage(stage, lengths)
     read = {name for stage in this_pass.stages for name in stage.reads.values()}
     reads = Reads.of(this_pass.stages, {*this_pass.values, *this_pass.draw.varyings, PIXEL}, buffers)
     reads.textures |= dict.fromkeys(_stencil(this_pass), bool)
-    parts = Parts(
+    return Parts(
         about=f"Fragment shader of pass {this_pass.name}, from the stages of sss_ref. Writes {', '.join(outputs)}.",
         textures=reads.all_textures(lengths),
         uniforms=reads.values(lengths),
@@ -109,7 +124,6 @@ def fragment_shader(
         outputs={name: this_pass.values[name] for name in outputs},
         read=read,
     )
-    return dialect.fragment(parts, dialect)
 
 
 def _rectangle(dialect: Dialect) -> list[str]:

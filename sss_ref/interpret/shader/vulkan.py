@@ -13,14 +13,12 @@ from sss_ref.interpret.shader.dialect import Dialect, Parts
 from sss_ref.interpret.shader.glsl import GLSL
 from sss_ref.interpret.shader.text import braced, comment, joined
 
-VERTEX_SET, FRAGMENT_SET = 0, 1
-
 
 def vertex(parts: Parts, dialect: Dialect) -> str:
     """A complete vertex shader."""
     inputs = _located("in", parts.attributes, dialect)
     outputs = _located(f"{dialect.exact}out", parts.varyings, dialect)
-    return _shader(parts, dialect, VERTEX_SET, inputs, [*outputs, f"{dialect.exact}gl_Position;"])
+    return _shader(parts, dialect, 0, inputs, [*outputs, f"{dialect.exact}gl_Position;"])
 
 
 def fragment(parts: Parts, dialect: Dialect) -> str:
@@ -32,19 +30,21 @@ def fragment(parts: Parts, dialect: Dialect) -> str:
         f"{'' if kind in (bool, int) else dialect.exact}layout(location = {k}) out {dialect.target(kind, name)};"
         for k, (name, kind) in enumerate(parts.outputs.items())
     ]
-    return _shader(parts, dialect, FRAGMENT_SET, inputs, outputs)
+    return _shader(parts, dialect, 1, inputs, outputs)
 
 
 def _located(word: str, named: Mapping[str, Any], dialect: Dialect) -> list[str]:
     return [f"layout(location = {k}) {word} {dialect.declared(kind, n)};" for k, (n, kind) in enumerate(named.items())]
 
 
-def _shader(parts: Parts, dialect: Dialect, number: int, inputs: list[str], outputs: list[str]) -> str:
+def _shader(parts: Parts, dialect: Dialect, stage: int, inputs: list[str], outputs: list[str]) -> str:
+    assert dialect.groups
+    number, bound = dialect.groups[stage], dialect.bound(parts.textures)
     fields = [f"{dialect.declared(kind, name, parts.lengths.get(name))};" for name, kind in parts.uniforms.items()]
     head = f"layout(std140, set = {number}, binding = 0) uniform Uniforms"
     textures = [
-        f"layout(set = {number}, binding = {k}) uniform {dialect.declared(kind, name)};"
-        for k, (name, kind) in enumerate(parts.textures.items(), start=1)
+        f"layout(set = {number}, binding = {bound[name]}) uniform {dialect.declared(kind, name)};"
+        for name, kind in parts.textures.items()
     ]
     constants = braced(head, fields, end="};") if fields else []
     first = [*dialect.head, *comment(parts.about)]
@@ -61,6 +61,7 @@ VULKAN = replace(
         "gl_Position.z = (gl_Position.z + gl_Position.w) * 0.5;",
     ),
     head=("#version 450",),
+    groups=(0, 1),
     vertex=vertex,
     fragment=fragment,
 )

@@ -18,7 +18,6 @@ from sss_ref.language.types import ivec2, mat3, mat4, vec2, vec3, vec4
 
 NUMBER, WINDOW, CLIP, TURNED = "vertex_number", "window", "clip_position", "turned"  # names of our own in `main`
 CONSTANTS, VARYINGS, TARGETS = "Uniforms", "Varyings", "Targets"  # the structs of a complete shader
-VERTEX_GROUP, FRAGMENT_GROUP = 0, 1
 
 
 def vertex(parts: Parts, dialect: Dialect) -> str:
@@ -32,7 +31,7 @@ def vertex(parts: Parts, dialect: Dialect) -> str:
         lines.append(f"let {TRIANGLE} = i32({NUMBER} / 3u);")
     struct = _struct(VARYINGS, [f"@builtin(position) @invariant {CLIP}: vec4<f32>", *varyings])
     main = _main("@vertex", [*attributes, f"@builtin(vertex_index) {NUMBER}: u32"], lines, VARYINGS, handed)
-    return _shader(parts, dialect, VERTEX_GROUP, struct, main)
+    return _shader(parts, dialect, 0, struct, main)
 
 
 def fragment(parts: Parts, dialect: Dialect) -> str:
@@ -44,7 +43,7 @@ def fragment(parts: Parts, dialect: Dialect) -> str:
     given = [f"@builtin(position) {WINDOW}: vec4<f32>", *varyings, *number]
     lines, values = [*_taken(parts, dialect), *parts.lines], [*map(dialect.out, parts.outputs)]
     main = _main("@fragment", given, lines, TARGETS, values)
-    return _shader(parts, dialect, FRAGMENT_GROUP, _struct(TARGETS, outputs), main)
+    return _shader(parts, dialect, 1, _struct(TARGETS, outputs), main)
 
 
 def _triangle(parts: Parts) -> str:
@@ -65,12 +64,14 @@ def _main(head: str, given: Sequence[str], lines: Sequence[str], result: str, va
     return [head, "fn main(", *listed, *braced(f") -> {result}", [*lines, f"return {result}({', '.join(values)});"])]
 
 
-def _shader(parts: Parts, dialect: Dialect, group: int, struct: list[str], main: list[str]) -> str:
+def _shader(parts: Parts, dialect: Dialect, stage: int, struct: list[str], main: list[str]) -> str:
+    assert dialect.groups
+    group, bound = dialect.groups[stage], dialect.bound(parts.textures)
     fields = [_constant(kind, name, dialect) for name, kind in parts.uniforms.items()]
     bindings = [f"@group({group}) @binding(0) var<uniform> uniforms: {CONSTANTS};"] if fields else []
     bindings += [
-        f"@group({group}) @binding({k}) var {dialect.declared(kind, name)};"
-        for k, (name, kind) in enumerate(parts.textures.items(), start=1)
+        f"@group({group}) @binding({bound[name]}) var {dialect.declared(kind, name)};"
+        for name, kind in parts.textures.items()
     ]
     head = [comment(parts.about), _struct(CONSTANTS, fields) if fields else [], bindings, struct]
     return joined([*head, parts.definitions.splitlines(), main])
@@ -154,4 +155,6 @@ WGSL = Dialect(
     targets={bool: ("u32", "u32({0})"), vec3: ("vec4<f32>", "vec4<f32>({0}, 1.0)")},
     most_bytes=32,
     longest_array=0,
+    groups=(0, 1),
+    indexed=False,
 )
