@@ -52,7 +52,7 @@ def shader_files(
 
 
 def array_lengths(uniforms: Mapping[str, Any], dialect: Dialect = GLSL) -> dict[str, int]:
-    """The lengths of those arrays among `uniforms` that are short enough for a shader of a dialect; longer: textures."""
+    """The lengths of the arrays among `uniforms` that are short enough for a dialect; longer ones are textures."""
     longest = dialect.longest_array
     return {name: len(value) for name, value in uniforms.items() if np.ndim(value) and len(value) <= longest}
 
