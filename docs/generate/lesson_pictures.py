@@ -26,6 +26,7 @@ TAKEN = {  # lesson -> which of its pictures, from 0
     "10_diffusion": 0,
     "11_taps_and_thickness": 2,
     "12_how_far": 1,
+    "13_your_own_method": 0,
 }
 SIZE = 640, 320  # pixels at most
 

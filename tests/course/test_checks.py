@@ -13,7 +13,10 @@ from sss_ref.errors import ShaderError
 from sss_ref.gl.context import open_context
 
 SOLUTIONS = solutions()
-WALKS = {"10_diffusion", "11_taps_and_thickness", "12_how_far"}  # a random walk is no stage
+KINDS = {  # of the exercises of lessons that ask for other things: a random walk is no stage
+    **dict.fromkeys(("10_diffusion", "11_taps_and_thickness", "12_how_far"), ["line"] * 3),
+    "13_your_own_method": ["port"] * 8,
+}
 SENTENCES = re.compile(r"[.?!](?= |$)")
 
 
@@ -58,8 +61,7 @@ def test_a_lesson_is_tried_with_40_answers(lesson):
 
 @pytest.mark.parametrize("lesson", OWN)
 def test_a_lesson_asks_for_three_things_most_for_a_line_a_stage_and_a_shader(lesson):
-    kinds = ["line"] * 3 if lesson in WALKS else ["line", "stage", "shader"]
-    assert [kind_of(check) for check in OWN[lesson]] == kinds
+    assert [kind_of(check) for check in OWN[lesson]] == KINDS.get(lesson, ["line", "stage", "shader"])
 
 
 def secret(solution):

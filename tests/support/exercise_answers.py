@@ -29,7 +29,7 @@ def solutions():
 
 
 def kind_of(check):
-    """line, stage or shader: what a check's docstring begins with."""
+    """line, stage, shader or port: what a check's docstring begins with."""
     return inspect.getdoc(check).partition(":")[0].removeprefix("A ")
 
 
@@ -74,6 +74,24 @@ NO_LINES = [  # what a function may give that is no answer of any exercise
     lambda *given: np.inf,
     lambda *given: len,
     lambda *given: {1: 2},
+]
+
+
+NO_PORTS = [  # what a function of the project may give, and ask for, that is no picture
+    *(no_return, no_end, one_by_one, divides, recursive),
+    lambda: None,
+    lambda: "0.5",
+    lambda: 0.5,
+    lambda: (0.5, 1.0),
+    lambda: [[1.0], [1.0, 2.0]],
+    lambda: np.zeros((2, 2)),
+    lambda: np.zeros((64, 64), complex),
+    lambda: np.full((64, 64), "a"),
+    lambda: np.full((64, 64, 3), np.nan),
+    lambda: np.full((64, 64), np.inf),
+    lambda positon_world: positon_world,
+    lambda image: image,
+    lambda *given: np.zeros((64, 64)),
 ]
 
 
@@ -270,5 +288,10 @@ ERRORS = {  # what readers write
 
 def wrong_answers(check, solution):
     """Everything that is wrong for a check."""
-    kinds = {"line": NO_LINES, "stage": NO_STAGES, "shader": no_shaders(solution) if isinstance(solution, str) else []}
+    kinds = {
+        "line": NO_LINES,
+        "port": NO_PORTS,
+        "stage": NO_STAGES,
+        "shader": no_shaders(solution) if isinstance(solution, str) else [],
+    }
     return [*NO_FUNCTIONS, *kinds[kind_of(check)], *ERRORS.get(check, [])]

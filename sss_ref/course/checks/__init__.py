@@ -13,6 +13,16 @@ from sss_ref.course.checks.lesson_9 import mended_lambert, mended_srgb_in_glsl, 
 from sss_ref.course.checks.lesson_10 import albedo_of, free_path, photons_needed
 from sss_ref.course.checks.lesson_11 import blurred_twice, exponent_between, millimetres_per_offset
 from sss_ref.course.checks.lesson_12 import best_factor, error_without_noise, samples_for
+from sss_ref.course.checks.lesson_13 import (
+    own_directly_lit,
+    own_image,
+    own_lit,
+    own_phong,
+    own_scattered,
+    own_stored_distance,
+    own_thickness,
+    own_translucency,
+)
 
 __all__ = [
     "NotChecked",
@@ -41,6 +51,14 @@ __all__ = [
     "millimetres_per_offset",
     "mirrored",
     "mixed_with_phong",
+    "own_directly_lit",
+    "own_image",
+    "own_lit",
+    "own_phong",
+    "own_scattered",
+    "own_stored_distance",
+    "own_thickness",
+    "own_translucency",
     "photons_needed",
     "ratio_in_glsl",
     "same_bits",
