@@ -40,7 +40,7 @@ ROOMS = [  # from the ground up: whoever stands higher imports from those below
         "validation",
         "neutral",
     ),
-    *("gl", "webgl", "webgpu", "viewer", "course", "cli", "pytest_plugin"),
+    *("gl", "webgl", "webgpu", "blame", "viewer", "course", "cli", "pytest_plugin"),
     "__main__",
 ]
 BACK_DOORS = {("sss_ref.rendering.result", "results")}  # Result.save

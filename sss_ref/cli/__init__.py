@@ -4,6 +4,7 @@ from cyclopts import App, CycloptsError
 from rich.markup import escape
 
 from sss_ref.cli.batch_commands import batch, turntable
+from sss_ref.cli.blame_command import blame
 from sss_ref.cli.comparing import diff, verify
 from sss_ref.cli.console import BAD_INPUT, err
 from sss_ref.cli.course_commands import course, grade
@@ -48,6 +49,7 @@ for command in (
     validate,
     witness,
     neutral,
+    blame,
     truth,
     fit,
     course,
@@ -65,7 +67,7 @@ app.command("sss_ref.cli.mapping_command:mapping", name="mapping", help=MAPPING)
 def main(tokens: list[str] | None = None) -> int:
     """Run the command line; returns the exit code.
 
-    0, or 1 where `verify`, `diff`, `validate`, `witness` or `neutral` finds a difference,
+    0, or 1 where `verify`, `diff`, `validate`, `witness`, `neutral` or `blame` finds a difference,
     `import` asks for something or an item of `batch` failed, or 2 for bad input, and where nothing was judged.
     """
     try:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from sss_ref.gl.folding import Painter, drawn
+from sss_ref.gl.folding import Painter, drawn, pass_drawn
 from sss_ref.gl.shaders import Files, ShaderPair
 from sss_ref.gl.uploads import texture_data
 from sss_ref.interpret.shader import WGSL
@@ -39,6 +39,20 @@ def draw(
     out, and SceneError for an unknown buffer.
     """
     return drawn(scene, shaders or {}, keep, partial(_painting, words=adapter))
+
+
+def draw_pass(
+    scene: Scene,
+    this_pass: Pass,
+    buffers: Mapping[str, np.ndarray],
+    shaders: Mapping[str, Files] | None = None,
+    adapter: str = "",
+) -> dict[str, np.ndarray]:
+    """Draw a single pass of a scene that reads these buffers; what it writes.
+
+    shaders, adapter: as in `draw`. Raises ShaderError as that does.
+    """
+    return pass_drawn(scene, this_pass, buffers, shaders or {}, partial(_painting, words=adapter))
 
 
 @contextmanager

@@ -1,0 +1,54 @@
+"""Ways from a shader's source to a picture: each a language, a compiler and a processor."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from sss_ref.errors import ShaderError
+from sss_ref.gl import context as opengl
+from sss_ref.gl.drawing import draw_pass as draw_by_opengl
+from sss_ref.gl.shaders import Files, listed
+from sss_ref.language.pipeline import Pass
+from sss_ref.scene.scene import Scene
+from sss_ref.webgpu import adapter as webgpu
+from sss_ref.webgpu.painting import draw_pass as draw_by_webgpu
+
+Buffers = Mapping[str, np.ndarray]
+Draw = Callable[[Scene, Pass, Buffers, Mapping[str, Files]], Buffers]
+GLSL, WGSL = "glsl", "wgsl"
+WGSL_ALONE = ("@fragment", "@vertex")  # words that begin the entry points of its shaders
+
+
+@dataclass(frozen=True)
+class Stack:
+    """What draws one pass.
+
+    name: in its own words. language: of the shaders that it takes, a name of DIALECTS. draw: from a scene, a pass, the
+    buffers that it reads, and shaders as `sss_ref.gl.draw` takes them, to what the pass writes.
+    """
+
+    name: str
+    language: str
+    draw: Draw
+
+
+HERE: Mapping[str, tuple[Callable[[], str], Draw]] = {
+    GLSL: (opengl.device_name, draw_by_opengl),
+    WGSL: (webgpu.adapter_name, draw_by_webgpu),
+}
+
+
+def stacks_here(language: str) -> list[Stack]:
+    """Those that this machine has for a language: OpenGL, such as Mesa's llvmpipe, or WebGPU, such as its lavapipe."""
+    name, draw = HERE[language]
+    try:
+        return [Stack(name(), language, draw)]
+    except ShaderError:  # there is none
+        return []
+
+
+def language_of(shaders: Mapping[str, Files]) -> str:
+    """The language that a user's files are in. Raises OSError where one cannot be read."""
+    texts = (path.read_text(encoding="utf-8") for files in shaders.values() for path in listed(files))
+    return WGSL if any(word in text for text in texts for word in WGSL_ALONE) else GLSL
