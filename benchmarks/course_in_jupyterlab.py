@@ -19,13 +19,13 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from playwright.sync_api import Page, sync_playwright
+from playwright.sync_api import Locator, Page, sync_playwright
 
 from sss_ref.course.lessons import lessons
 from sss_ref.course.own_folder import START, write_course
 
 PATIENCE = 600  # seconds that a lesson may take
-CALM = 10  # times in a row, half a second apart, that a kernel with nothing left to do is idle
+TRIES = 2  # drags of a slider: the first may come while the page still moves
 VIEW = {"width": 1300, "height": 1000}
 
 
@@ -54,25 +54,22 @@ def opened(page: Page, name: str) -> None:
     page.get_by_text("| Idle").first.wait_for(timeout=120_000)
 
 
-def run_all(page: Page) -> None:
-    """Choose Run All Cells, and wait for them."""
+def run_all(page: Page, folder: Path, name: str) -> list[dict[str, Any]]:
+    """Choose Run All Cells; the code cells as they are saved once all of them ran, or one failed."""
     page.locator(".lm-MenuBar-itemLabel", has_text=re.compile("^Run$")).click()
     page.locator(".lm-Menu-itemLabel", has_text=re.compile("^Run All Cells$")).click()
-    rest(page)
+    end = time.monotonic() + PATIENCE
+    while True:
+        cells = saved(page, folder, name)
+        failed = any(output["output_type"] == "error" for cell in cells for output in cell["outputs"])
+        if failed or all(cell["execution_count"] for cell in cells) or time.monotonic() > end:
+            return cells
 
 
-def rest(page: Page) -> None:
-    """Wait until the kernel has nothing left to do: between two cells it is idle for a moment."""
-    calm, end = 0, time.monotonic() + PATIENCE
-    while calm < CALM and time.monotonic() < end:
-        calm = calm + 1 if page.get_by_text("| Idle").count() else 0
-        time.sleep(0.5)
-
-
-def saved(folder: Path, page: Page, name: str) -> list[dict[str, Any]]:
+def saved(page: Page, folder: Path, name: str) -> list[dict[str, Any]]:
     """The code cells of the notebook, saved."""
     page.keyboard.press("Control+s")
-    time.sleep(3)
+    time.sleep(4)
     book = json.loads((folder / f"{name}.ipynb").read_text(encoding="utf-8"))
     return [cell for cell in book["cells"] if cell["cell_type"] == "code"]
 
@@ -80,33 +77,35 @@ def saved(folder: Path, page: Page, name: str) -> list[dict[str, Any]]:
 def sliders_that_redraw(page: Page) -> tuple[int, int]:
     """How many sliders change their picture when they are dragged, and how many there are."""
     handles = page.locator(".noUi-handle")
-    moved = 0
-    for number in range(handles.count()):
-        handle = handles.nth(number)
-        handle.scroll_into_view_if_needed()
-        rest(page)
-        image = handle.locator("xpath=ancestor::*[contains(@class,'widget-vbox')][1]//img").first
-        before, box = image.get_attribute("src"), handle.bounding_box()
-        assert box
-        page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
-        page.mouse.down()
-        page.mouse.move(box["x"] + 45, box["y"] + box["height"] / 2, steps=3)
-        page.mouse.up()
-        end = time.monotonic() + 60
-        while image.get_attribute("src") == before and time.monotonic() < end:
-            time.sleep(0.3)
-        moved += image.get_attribute("src") != before
-    return moved, handles.count()
+    return sum(
+        any(redraws(page, handles.nth(n)) for _ in range(TRIES)) for n in range(handles.count())
+    ), handles.count()
+
+
+def redraws(page: Page, handle: Locator) -> bool:
+    """Whether the picture below a slider is another one after a drag."""
+    handle.scroll_into_view_if_needed()
+    time.sleep(2)  # what is above may still grow
+    image = handle.locator("xpath=ancestor::*[contains(@class,'widget-vbox')][1]//img").first
+    before, box = image.get_attribute("src"), handle.bounding_box()
+    assert box
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 45, box["y"] + box["height"] / 2, steps=3)
+    page.mouse.up()
+    end = time.monotonic() + 30
+    while image.get_attribute("src") == before and time.monotonic() < end:
+        time.sleep(0.3)
+    return image.get_attribute("src") != before
 
 
 def tried(page: Page, folder: Path, name: str, pictures: Path | None) -> bool:
     """One lesson; whether all is well."""
     opened(page, name)
-    run_all(page)
+    cells = run_all(page, folder, name)
     moved, sliders = sliders_that_redraw(page)
     if pictures:
         page.screenshot(path=str(pictures / f"{name}.png"))
-    cells = saved(folder, page, name)
     outputs = [output for cell in cells for output in cell["outputs"]]
     failed = [output["evalue"] for output in outputs if output["output_type"] == "error"]
     run = sum(cell["execution_count"] is not None for cell in cells)
