@@ -2,16 +2,18 @@
 
 import inspect
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 from typing import Any, get_origin
 
 from sss_ref.interpret.shader import ESSL, array_lengths, draws, fragment_shader, vertex_shader
 from sss_ref.language.layout import CHANNELS
-from sss_ref.language.pipeline import Pass
+from sss_ref.language.pipeline import MeshDraw, Pass
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import Texture
 from sss_ref.language.typing_rules import type_name
 from sss_ref.passes.buffers import described
+from sss_ref.rendering.result import Result
 from sss_ref.scene.scene import Scene
 from sss_ref.validation.accept.rasterizer.candidates import FAR
 from sss_ref.webgl.allowed import Allowed
@@ -19,7 +21,7 @@ from sss_ref.webgl.content import output, pass_settings
 from sss_ref.webgl.exam_of_draw import ExamOfDraw
 from sss_ref.webgl.exams import Exam
 from sss_ref.webgl.packing import Packed, deflated
-from sss_ref.webgl.planting import wrong_lines
+from sss_ref.webgl.planting import wrong_lines, wrong_vertex_lines
 from sss_ref.webgl.varyings_shader import DEPTH, TRIANGLE, varyings_draws
 
 Form = dict[str, Any]
@@ -52,14 +54,20 @@ def forms_of_stage(scene: Scene, exam: Exam) -> Iterator[Form]:
         }
 
 
-def form_of_draw(scene: Scene, exam: ExamOfDraw) -> Form:
-    """The exam of a draw of a mesh: its vertex stage, which our own fragment shaders show."""
-    this_pass, (stage,) = exam.of, exam.of.draw.vertex_stages
-    vertex, draws_of = vertex_shader(this_pass, array_lengths(scene.uniforms), ESSL), f"{this_pass.name}/{stage.name}"
+def form_of_draw(oracle: Result, exam: ExamOfDraw) -> Form:
+    """The exam of a draw of a mesh: its vertex stage, which our own fragment shaders show. oracle: the rendering."""
+    scene, this_pass, (stage,) = oracle.scene, exam.of, exam.of.draw.vertex_stages
+    lengths, draws_of = array_lengths(scene.uniforms), f"{this_pass.name}/{stage.name}"
+    mesh_draw = this_pass.draw
+    assert isinstance(mesh_draw, MeshDraw)
+
+    def shader(vertex: Stage) -> str:
+        return vertex_shader(replace(this_pass, draw=replace(mesh_draw, vertex=vertex)), lengths, ESSL)
+
     listed = [
         {
             "name": draws_of,
-            "vertex": vertex,
+            "vertex": shader(stage),
             "fragment": each["fragment"],
             "outputs": [output(name, kind, _beside(name)) for name, kind in each["outputs"].items()],
         }
@@ -72,10 +80,13 @@ def form_of_draw(scene: Scene, exam: ExamOfDraw) -> Form:
     return {
         **_about(scene, this_pass, stage),
         **pass_settings(this_pass, scene),
-        **{"rounds": 1, "feedback": {}, "edit": "vertex", "draws": listed, "mistakes": []},
+        **{"rounds": 1, "feedback": {}, "edit": "vertex", "draws": listed},
         "given": {name: name for name in set(this_pass.draw.reads) & set(scene.method.values)},
         "candidates": _candidates(exam),
         "varyings": columns,
+        "mistakes": [
+            vars(each) for each in wrong_vertex_lines(stage, exam.inputs(oracle), list(exam.varyings), shader)
+        ],
         "shown": {name: key(this_pass, name) for name in (*exam.reference.written, *exam.varyings)},
     }
 

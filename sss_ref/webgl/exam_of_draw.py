@@ -1,11 +1,13 @@
 """The exam of a draw of the mesh: its vertex stage, and what the rasterizer makes of it (rules R1 to R5)."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+from sss_ref.interpret.work import uniform_value
 from sss_ref.language.layout import CHANNELS
-from sss_ref.language.pipeline import Pass
+from sss_ref.language.pipeline import MESH_ATTRIBUTES, Pass
 from sss_ref.raster.interpolate import interpolate_arrays
 from sss_ref.rendering.draw import varying_columns
 from sss_ref.rendering.result import Result
@@ -38,6 +40,15 @@ class ExamOfDraw:
     high: np.ndarray
     varyings: dict[str, int]
     reference: ReferenceDraw
+
+    def inputs(self, oracle: Result) -> list[Any]:
+        """What the vertex stage reads for every vertex: one value for each of its parameters."""
+        (stage,), mesh = self.of.draw.vertex_stages, oracle.scene.mesh_of(self.of).attributes
+        outside = {**oracle.scene.uniforms, **oracle.buffers}
+        return [
+            kind(*mesh[own].T) if own in MESH_ATTRIBUTES else uniform_value(kind, outside[stage.reads[own]])
+            for own, kind in stage.parameters.items()
+        ]
 
 
 def exam_of_draw(oracle: Result, this_pass: Pass) -> ExamOfDraw:

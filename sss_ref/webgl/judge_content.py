@@ -42,7 +42,7 @@ def judge_content(scene: Scene) -> dict[str, Any]:
 def _forms(oracle: Result, this_pass: Pass) -> Iterator[Form]:
     """The exams of a pass: its draw, if it draws a mesh, then its stages in order."""
     if this_pass.draw.vertex_stages:
-        yield form_of_draw(oracle.scene, exam_of_draw(oracle, this_pass))
+        yield form_of_draw(oracle, exam_of_draw(oracle, this_pass))
     for exam in exams(oracle, this_pass):
         yield from forms_of_stage(oracle.scene, exam)
 

@@ -1,14 +1,17 @@
 """Mistakes for readers to plant: wrong lines of a stage's shader, which a device shows beyond doubt."""
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any
 
 import numpy as np
 
+from sss_ref.language.pipeline import CLIP_POSITION
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import components
+from sss_ref.raster.clip import W
+from sss_ref.validation.accept.known import stacked
 from sss_ref.validation.cause.mutants import Mutant, mutants
 from sss_ref.webgl.allowed import Allowed
 from sss_ref.webgl.exams import Exam
@@ -16,6 +19,7 @@ from sss_ref.webgl.exams import Exam
 MOST = 2  # of a stage
 TRIED = 40  # of a stage, before it is left without
 SEEN = 0.05  # of the pixels that are judged, at least, show it
+OF_VERTICES, FAR_OFF = 0.5, 0.05  # at least so many vertices lie off by so much of what all of them reach over
 
 
 @dataclass(frozen=True)
@@ -31,14 +35,38 @@ def wrong_lines(exam: Exam, uniforms: Mapping[str, Any], shader: Callable[[Stage
     """Some mistakes in the stage of an exam, no two in one line. shader: what a stage is translated to."""
     if exam.of.rounds != 1 or not exam.where.any():
         return []
-    inputs, right = exam.inputs(uniforms), shader(exam.stage).splitlines()
+    inputs = exam.inputs(uniforms)
+    return _chosen(exam.stage, shader, lambda results: _is_seen(exam, results), inputs)
+
+
+def wrong_vertex_lines(
+    stage: Stage, inputs: Sequence[Any], shown: Collection[str], shader: Callable[[Stage], str]
+) -> list[WrongLine]:
+    """The same of a vertex stage. inputs: what it reads for every vertex. shown: the varyings that are judged."""
+    right = _of_vertices(stage.run(inputs), shown)
+    return _chosen(stage, shader, lambda results: _moves(right, _of_vertices(results, shown)), inputs)
+
+
+def _chosen(
+    stage: Stage, shader: Callable[[Stage], str], is_seen: Callable[[Mapping[str, Any]], bool], inputs: Sequence[Any]
+) -> list[WrongLine]:
+    """The first mutants that are seen, each in another line."""
+    right = shader(stage).splitlines()
     found: dict[int, WrongLine] = {}
-    for mutant in islice(_other_lines(exam.stage), TRIED):
-        if len(found) < MOST and _is_seen(exam, mutant, inputs):
-            each = _only_line(mutant, right, shader(replace(exam.stage, body=mutant.body)).splitlines())
+    for mutant in islice(_other_lines(stage), TRIED):
+        if len(found) < MOST and is_seen(_results(mutant, inputs)):
+            each = _only_line(mutant, right, shader(replace(stage, body=mutant.body)).splitlines())
             if each:
                 found.setdefault(each.line, each)
     return list(found.values())
+
+
+def _results(mutant: Mutant, inputs: Sequence[Any]) -> Mapping[str, Any]:
+    """What a mutant gives; nothing where it reads beside a texture, where a device may find anything."""
+    try:
+        return mutant(*inputs)
+    except IndexError:
+        return {}
 
 
 def _other_lines(stage: Stage) -> Iterator[Mutant]:
@@ -51,20 +79,33 @@ def _other_lines(stage: Stage) -> Iterator[Mutant]:
     return (each for _, _, each in sorted(ordered, key=lambda one: one[:2]))
 
 
-def _is_seen(exam: Exam, mutant: Mutant, inputs: list[Any]) -> bool:
-    """Whether what a mutant gives lies twice as far off as is right, at enough pixels, and is a number there."""
-    try:
-        results = mutant(*inputs)
-    except IndexError:  # it reads beside a texture, where a device may find anything
-        return False
+def _is_seen(exam: Exam, results: Mapping[str, Any]) -> bool:
+    """Whether results lie twice as far off as is right, at enough pixels, and are numbers there."""
     wrong = np.zeros(np.count_nonzero(exam.where), bool)
-    for name, value in results.items():
-        if name not in exam.right:
-            continue
-        right = exam.right[name]
-        for channel, part in enumerate(components(value)):
-            wrong |= _far_off(right, channel, np.broadcast_to(part, wrong.shape), exam.where)
+    for name in results.keys() & exam.right.keys():
+        for channel, part in enumerate(components(results[name])):
+            wrong |= _far_off(exam.right[name], channel, np.broadcast_to(part, wrong.shape), exam.where)
     return bool(wrong.mean() >= SEEN)
+
+
+def _of_vertices(results: Mapping[str, Any], shown: Collection[str]) -> list[np.ndarray]:
+    """Where vertices lie in the window, and what is interpolated between them, float64 (V, C) each."""
+    values = {name: stacked(value).astype(np.float64) for name, value in results.items()}
+    with np.errstate(all="ignore"):
+        window = [clip[:, :W] / clip[:, W:] for name, clip in values.items() if name == CLIP_POSITION]
+    return window + [values[name] for name in sorted(shown) if name in values]
+
+
+def _moves(right: list[np.ndarray], wrong: list[np.ndarray]) -> bool:
+    """Whether most vertices lie elsewhere, or hand on other values, by much of what all reach over."""
+    return any(map(_is_elsewhere, right, wrong))
+
+
+def _is_elsewhere(right: np.ndarray, wrong: np.ndarray) -> bool:
+    with np.errstate(invalid="ignore"):
+        off = np.abs(wrong - right) > FAR_OFF * np.ptp(right, axis=0)
+    elsewhere = np.logical_or.reduce(off, axis=-1) & np.logical_and.reduce(np.isfinite(wrong), axis=-1)
+    return bool(elsewhere.mean() >= OF_VERTICES)
 
 
 def _far_off(right: Allowed, channel: int, got: np.ndarray, where: np.ndarray) -> np.ndarray:

@@ -6,10 +6,11 @@ from judging import small
 
 from sss_ref.interpret.work import store
 from sss_ref.rendering.fold import render
+from sss_ref.webgl import planting
 from sss_ref.webgl.allowed import BACKGROUND, NOT_COMPARED
 from sss_ref.webgl.exam_of_draw import exam_of_draw
 from sss_ref.webgl.exams import every_value, exams
-from sss_ref.webgl.planting import wrong_lines
+from sss_ref.webgl.planting import wrong_lines, wrong_vertex_lines
 from sss_ref.webgl.reference_draw import reference_draw
 from sss_ref.webgl.varyings_shader import DEPTH, TRIANGLE, varyings_draws
 
@@ -85,3 +86,26 @@ def test_planted_lines_are_one_line_each_and_seen(oracle):
         wrong_lines(exam, oracle.scene.uniforms, lambda stage: shader["right" if stage is exam.stage else "wrong"])
         == []
     )
+
+
+def test_planted_lines_of_a_vertex_stage_are_of_mutants(oracle):
+    for one in drawing_meshes(oracle):
+        (stage,), exam = one.draw.vertex_stages, exam_of_draw(oracle, one)
+        bodies = []
+
+        def shader(each, bodies=bodies, stage=stage):
+            bodies.append(each.body)
+            return "right" if each is stage else "wrong"
+
+        found = wrong_vertex_lines(stage, exam.inputs(oracle), list(exam.varyings), shader)
+        assert [(each.line, each.text) for each in found] == [(1, "wrong")]
+        assert bodies[0] is stage.body and bodies[1] is not stage.body
+
+
+def test_a_vertex_stage_that_moves_few_vertices_is_not_planted():
+    """One of four that moves far is not enough, nor all by a little; numbers they must be."""
+    right = [np.array([[0, 0], [1, 0], [0, 1], [1, 1]], float)]
+    one, all_of_them = right[0].copy(), right[0] + 0.06
+    one[0] += 1
+    assert not planting._moves(right, [one]) and planting._moves(right, [all_of_them])
+    assert not planting._moves(right, [right[0] + 0.04]) and not planting._moves(right, [right[0] * np.nan])
