@@ -18,13 +18,18 @@ from sss_ref.pictures.png_file import encoding_of, image_encoding_of, write_png
 from sss_ref.rendering.samples import render_samples
 from sss_ref.scene.catalogue import METHODS, TECHNIQUES
 from sss_ref.scene_file.kernels import TABLE1
+from sss_ref.truth.material_fit import fitted_material
+from sss_ref.truth.media import volumes
+from sss_ref.yardstick.ladder import Ladder
+from sss_ref.yardstick.ladder_pictures import SPAN, colour_bar, exposed, signed
+from sss_ref.yardstick.rungs import FITTED
 
 ROOT = Path(__file__).parents[2]
 IMAGES = ROOT / "docs" / "images"
 SIDE = 512
 GALLERY = ("figure3_with", "teeth_layers_backlit", "wax", "glass", "figure5")
 
-sys.path.insert(0, str(ROOT / "tests" / "support"))
+sys.path[:0] = [str(ROOT / folder) for folder in ("tests/support", "benchmarks")]
 
 
 def scene(name: str, **overrides: float | str) -> sss_ref.Scene:
@@ -93,6 +98,39 @@ def techniques(path: Path) -> None:
     sheet.save(path, optimize=True)
 
 
+def measure(path: Path) -> None:
+    """Two bodies: the truth, every technique with fitted keys, and below what lies between them."""
+    from techniques import measured
+
+    fit = fitted_material(volumes("skin2"), 40_000, diffuse=True)
+    with TemporaryDirectory() as folder:
+        bodies = [measured(name, fit, Path(folder, name), 96, 160) for name in ("bust", "sphere")]
+    beside_the_truth(bodies).save(path, optimize=True)
+
+
+def beside_the_truth(bodies: list[Ladder]) -> Image.Image:
+    """For each body a row of pictures with one exposure, and one of signed differences under its techniques."""
+    side, gap, label = 144, 4, 22
+    columns = 1 + len(METHODS | TECHNIQUES)
+    sheet = Image.new("RGB", (columns * (side + gap) - gap, len(bodies) * 2 * (side + gap) + label), (22, 25, 31))
+    draw = ImageDraw.Draw(sheet)
+
+    def put(pixels: np.ndarray, column: int, row: int, height: int = side) -> None:
+        tile = Image.fromarray(np.ascontiguousarray(pixels[::-1])).resize((side, height), Image.Resampling.NEAREST)
+        sheet.paste(tile, (column * (side + gap), label + row * (side + gap)))
+
+    for body, ladder in enumerate(bodies):
+        put(exposed(ladder.truth.mean, ladder.truth), 0, 2 * body)
+        for column, rung in enumerate((rung for rung in ladder.rungs if rung.parameters == FITTED), start=1):
+            put(exposed(rung.image, ladder.truth), column, 2 * body)
+            put(signed(rung.image, ladder.truth, ladder.masks["everywhere"]), column, 2 * body + 1)
+    for column, name in enumerate(("truth", *METHODS, *TECHNIQUES)):
+        draw.text((column * (side + gap) + 4, 4), name, BRIGHT, font(13))
+    put(colour_bar(side, 1), 0, 1, 12)
+    draw.text((4, label + side + gap + 18), f"{SPAN:.0%} of white darker\n... {SPAN:.0%} brighter", BRIGHT, font(12))
+    return sheet
+
+
 def kernel(path: Path) -> None:
     """The paper's Table 1 as notebook 4 draws it."""
     from sss_ref.course import figures
@@ -130,6 +168,7 @@ PICTURES = {
     "validation.png": validation,
     "gallery.png": gallery,
     "techniques.png": techniques,
+    "measure.png": measure,
     "kernel.png": kernel,
     "relighting.png": relighting,
     "viewer.jpg": viewer,

@@ -45,7 +45,7 @@ def measure(
         bool,
         Parameter(negative="--no-fit", help="Measure the techniques also with keys that are fitted to the medium."),
     ] = True,
-    samples: Annotated[int, Parameter(help="Of the truth, until each pixel has so many.")] = 256,
+    samples: Annotated[int, Parameter(help="Of the truth, until each pixel has so many, 2 or more.")] = 256,
     time_limit: Annotated[
         float | None, Parameter(show_default=False, help="Begin no sample of the truth after so many seconds.")
     ] = None,
@@ -62,14 +62,15 @@ def measure(
     from sss_ref.truth.truth_folder import begun
     from sss_ref.yardstick.ladder import climbed, drawn_image
     from sss_ref.yardstick.ladder_folder import TRUTH, checked_folder, write_ladder
-    from sss_ref.yardstick.rungs import checked_methods
+    from sss_ref.yardstick.rungs import check_rungs, checked_methods
     from sss_ref.yardstick.yardstick import Yardstick, medium_of
 
-    check_tracing(samples, 0, threads)
+    check_tracing(samples, 0, threads, least=2)
     check_walks(photons)
     chosen, overrides = checked_methods(methods), changes.overrides()
     of = Yardstick(scene, overrides, medium_of(load_scene(scene, **overrides), medium), border)
     tracing = of.tracing
+    check_rungs(of, chosen, fit)
     drawn = drawn_image(of, dump) if dump else None
     folder = checked_folder(output)
     announce_compilation(KERNELS)

@@ -64,11 +64,11 @@ def truth(
     return 0
 
 
-def check_tracing(samples: int, seed: int, threads: int | None) -> None:
+def check_tracing(samples: int, seed: int, threads: int | None, least: int = 1) -> None:
     """Raise SceneError for numbers that nothing can be traced with."""
-    for option, value, least in (("--samples", samples, 1), ("--seed", seed, 0), ("--threads", threads, 1)):
-        if value is not None and value < least:
-            raise SceneError(f"{option}: expected at least {least}, got {value}; give a larger number")
+    for option, value, lowest in (("--samples", samples, least), ("--seed", seed, 0), ("--threads", threads, 1)):
+        if value is not None and value < lowest:
+            raise SceneError(f"{option}: expected at least {lowest}, got {value}; give a larger number")
 
 
 def _medium(scene: "Scene", given: str | None) -> str:

@@ -40,10 +40,16 @@ class Ladder:
 
     @cached_property
     def masks(self) -> Mapping[str, Mask]:
-        """Region -> bool (H, W). Raises SceneError where the body is not seen."""
-        if not self.regions.masks:
-            raise SceneError(told(self.of.name, "a body that is seen", "none in the picture", "move the camera"))
-        return self.regions.masks
+        """Region -> bool (H, W), of the pixels whose truth is known: those with two samples or more.
+
+        Raises SceneError where there are none.
+        """
+        known = np.isfinite(self.radiance.error).all(axis=-1)
+        masks = {name: mask & known for name, mask in self.regions.masks.items()}
+        if not any(mask.any() for mask in masks.values()):
+            expected, remedy = "a body that is seen, with two samples a pixel", "move the camera, or take more samples"
+            raise SceneError(told(self.of.name, expected, "no such pixel", remedy))
+        return {name: mask for name, mask in masks.items() if mask.any()}
 
     @cached_property
     def truth(self) -> Truth:

@@ -44,6 +44,18 @@ def checked_methods(names: Sequence[str]) -> tuple[str, ...]:
     return tuple(dict.fromkeys(names)) or ALL
 
 
+def check_rungs(of: Yardstick, methods: Sequence[str], fitted: bool) -> None:
+    """Raise SceneError, and MeshError, for a scene that one of the methods does not go with, before it is traced.
+
+    fitted: whether there will be a fit.
+    """
+    if fitted and of.given.settings.preset == "published":
+        remedy = "give --no-fit, or --preset robust"
+        raise SceneError(told("preset", "one whose keys can be fitted", '"published"', remedy))
+    for method in methods:
+        of.scene_of(method, {})
+
+
 def rungs(
     of: Yardstick, methods: Sequence[str], fit: MaterialFit | None, on_rung: Callable[[str], object]
 ) -> Iterator[Rung]:

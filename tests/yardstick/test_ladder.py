@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from boxes import shaded_plate
 
+from sss_ref.errors import SceneError
 from sss_ref.rendering.fold import render
 from sss_ref.truth.material_fit import fitted_material
 from sss_ref.truth.radiance import nothing_gathered
@@ -92,6 +93,16 @@ def test_the_noise_is_that_of_the_samples(plates):
     more = Ladder(of, radiance, fit, ())
     fewer = replace(more, radiance=nothing_gathered(of.tracing).more(16))
     assert fewer.noise["lit"].mean / more.noise["lit"].mean == pytest.approx(2, rel=0.15)  # sqrt(64/16)
+
+
+def test_pixels_without_two_samples_are_in_no_number(plates):
+    of, radiance, fit = plates
+    sums = radiance.sums._replace(counted=radiance.sums.counted.copy())
+    sums.counted[:16] = 1
+    half = Ladder(of, replace(radiance, sums=sums), fit, ())
+    assert half.noise["everywhere"].pixels == 16 * 32 and np.isfinite(half.noise["everywhere"].mean)
+    with pytest.raises(SceneError, match="expected a body that is seen, with two samples a pixel, got no such pixel"):
+        _ = Ladder(of, nothing_gathered(of.tracing).more(1), fit, ()).noise
 
 
 def test_red_is_too_bright_and_blue_too_dark(plates):
