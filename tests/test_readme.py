@@ -131,3 +131,10 @@ def test_the_table_of_ratios_is_that_of_the_records():
             cells = [record.get((preset, method, keep), "") for record in found for keep in ("final", "all")]
             row = " | ".join([f"{preset}, {method.replace('_', ' ')}", *cells])
             assert f"| {row} |".replace("|  |", "| |") in README
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/measure.md"])
+def test_what_is_told_of_the_techniques_is_the_record(page):
+    record = (ROOT / "benchmarks" / "results" / "measure.txt").read_text()
+    found = [line for line in record.partition("| technique | bust |")[2].splitlines() if "fitted" in line]
+    assert len(found) == 6 and all(line in (ROOT / page).read_text() for line in found)

@@ -20,9 +20,9 @@ from sss_ref.scene.catalogue import METHODS, TECHNIQUES
 from sss_ref.scene_file.kernels import TABLE1
 from sss_ref.truth.material_fit import fitted_material
 from sss_ref.truth.media import volumes
+from sss_ref.truth.radiance import nothing_gathered
 from sss_ref.yardstick.ladder import Ladder
 from sss_ref.yardstick.ladder_pictures import SPAN, colour_bar, exposed, signed
-from sss_ref.yardstick.rungs import FITTED
 
 ROOT = Path(__file__).parents[2]
 IMAGES = ROOT / "docs" / "images"
@@ -100,12 +100,11 @@ def techniques(path: Path) -> None:
 
 def measure(path: Path) -> None:
     """Two bodies: the truth, every technique with fitted keys, and below what lies between them."""
-    from techniques import measured
+    from measure import yardstick_of
 
     fit = fitted_material(volumes("skin2"), 40_000, diffuse=True)
-    with TemporaryDirectory() as folder:
-        bodies = [measured(name, fit, Path(folder, name), 96, 160) for name in ("bust", "sphere")]
-    beside_the_truth(bodies).save(path, optimize=True)
+    scenes = [yardstick_of(name, 96) for name in ("bust", "sphere")]
+    beside_the_truth([Ladder(of, nothing_gathered(of.tracing).more(160), fit, ()) for of in scenes]).save(path)
 
 
 def beside_the_truth(bodies: list[Ladder]) -> Image.Image:
@@ -120,10 +119,13 @@ def beside_the_truth(bodies: list[Ladder]) -> Image.Image:
         sheet.paste(tile, (column * (side + gap), label + row * (side + gap)))
 
     for body, ladder in enumerate(bodies):
+        assert ladder.fit is not None
+        keys = ladder.fit.keys(ladder.of.given.settings.mm_per_unit, ladder.fit.nearer_law)
         put(exposed(ladder.truth.mean, ladder.truth), 0, 2 * body)
-        for column, rung in enumerate((rung for rung in ladder.rungs if rung.parameters == FITTED), start=1):
-            put(exposed(rung.image, ladder.truth), column, 2 * body)
-            put(signed(rung.image, ladder.truth, ladder.masks["everywhere"]), column, 2 * body + 1)
+        for column, method in enumerate((*METHODS, *TECHNIQUES), start=1):
+            image = sss_ref.render(ladder.of.scene_of(method, keys), keep="final").image
+            put(exposed(image, ladder.truth), column, 2 * body)
+            put(signed(image, ladder.truth, ladder.masks["everywhere"]), column, 2 * body + 1)
     for column, name in enumerate(("truth", *METHODS, *TECHNIQUES)):
         draw.text((column * (side + gap) + 4, 4), name, BRIGHT, font(13))
     put(colour_bar(side, 1), 0, 1, 12)

@@ -1,6 +1,6 @@
 """Every technique against the traced truth, on five bodies that come with the package.
 
-    python benchmarks/techniques.py --output measured
+    python benchmarks/measure.py --output measured
 
 Prints for each body what `sss-ref measure` finds, then one table of all: mean error of radiance and delta E 2000. With
 --output it leaves the pages in a folder, and goes on from the truths there. `head` is the bust again, in two lights.
@@ -59,16 +59,21 @@ def main() -> None:
 
 def measured(name: str, fit: MaterialFit, folder: Path, size: int, samples: int) -> Ladder:
     """One body by all techniques; its page, record and truth in a folder."""
-    scene, medium, material, unit = BODIES[name]
-    overrides = {"preset": "robust", "material": material, "mm_per_unit": unit}
-    overrides |= {"camera.width": size, "camera.height": size}
-    of = Yardstick(uncoloured(scene), overrides, medium)
+    of = yardstick_of(name, size)
     before = begun(folder / TRUTH, of.tracing)
-    radiance = before.more(max(samples - before.samples, 0)) if before.samples < samples else before
+    radiance = before.more(samples - before.samples) if before.samples < samples else before
     write_truth(folder / TRUTH, radiance)
     ladder = climbed(of, radiance, ALL, fit)
     write_ladder(ladder, folder)
     return ladder
+
+
+def yardstick_of(name: str, size: int) -> Yardstick:
+    """What one of the bodies is held against, so many pixels a side."""
+    scene, medium, material, unit = BODIES[name]
+    overrides = {"preset": "robust", "material": material, "mm_per_unit": unit}
+    overrides |= {"camera.width": size, "camera.height": size}
+    return Yardstick(uncoloured(scene), overrides, medium)
 
 
 def uncoloured(scene: str | Mapping[str, Any]) -> Mapping[str, Any]:
