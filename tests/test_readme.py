@@ -102,7 +102,7 @@ def test_the_stage_that_is_shown_is_the_one_that_runs(page):
 
 def test_every_picture_is_small_and_made_by_the_code():
     linked = {Path(link).name for link in re.findall(r"\]\(docs/images/(\S+)\)", README)}
-    assert linked == set(images.PICTURES) == {path.name for path in images.IMAGES.iterdir()}
+    assert linked == set(images.PICTURES) == {path.name for path in images.IMAGES.iterdir() if path.is_file()}
     assert not {path.name for path in images.IMAGES.iterdir() if path.stat().st_size > LARGEST_PICTURE}
 
 
