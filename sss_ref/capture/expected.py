@@ -17,6 +17,7 @@ from sss_ref.view.views import View
 
 MOST_PIXELS = 1024  # that two pictures are compared at
 MOST_ROWS = 96  # of the grid on which it is seen where something is drawn
+CONSTANT = 0.6  # how much must speak for a place of what is the same on all pixels that are drawn
 LARGEST = {"unorm8": 255, "unorm16": 65535}
 
 PLAIN: Mapping[str, Any] = {}
@@ -84,6 +85,11 @@ class Sought:
     def is_blank(self) -> bool:
         """Whether it holds one value everywhere, by which nobody would know it."""
         return not (self.buffer != self.buffer.reshape(-1, self.slot.channels)[0]).any()
+
+    @property
+    def least(self) -> float:
+        """How much must speak for a place of it: more for a constant, of which there is no order to be seen."""
+        return 0.0 if self.readings[0].expected.standard.any() else CONSTANT
 
     @cached_property
     def readings(self) -> list[Reading]:

@@ -21,10 +21,10 @@ from sss_ref.dump.sources import Source
 from sss_ref.errors import DumpError
 from sss_ref.rendering.result import Result
 
-UNSURE = 0.1
+UNSURE = 0.15  # how much wider a margin must be where nothing but the structure speaks for a place
 AGREEING = 3  # pictures of several channels that tell how the others are ordered
-STEPS = (0.85, 0.6, 0.45, 0.3)  # how much must speak for a place, first of the surest, then of the others
-LEAST = STEPS[-1]
+STEPS = (0.85, 0.6, 0.45, 0.35)  # how much must speak for a place, first of the surest, then of the others
+ASKED = 0.3  # how much must speak for a place to be asked for
 
 
 def needed(each: Candidate) -> float:
@@ -120,7 +120,7 @@ class _Board:
         """Place what is sure enough and for which at least so much speaks; whether there was any."""
         before = len(self.places)
         rivalry = Rivalry(self.surfaces, self.candidates())
-        for each in (one for one in rivalry.candidates if one.score >= least):
+        for each in (one for one in rivalry.candidates if one.score >= max(least, self.wanted[one.name].least)):
             if self.is_free(each) and self.is_settled(each) and (margin := rivalry.margin(each)) >= needed(each):
                 self.put(each, margin)
         if len(self.places) > before:
@@ -191,7 +191,7 @@ class _Board:
 
     def result(self) -> Arrangement:
         """All places, with what is left over."""
-        rivalry = Rivalry(self.surfaces, (one for one in self.candidates() if one.score >= LEAST))
+        rivalry = Rivalry(self.surfaces, (one for one in self.candidates() if one.score >= ASKED))
         left = [number for number in range(len(self.surfaces)) if not self.is_used(number)]
         asked = [self.question(number, rivalry) for number in left]
         known = {surface for question in asked if question for surface in question.surfaces}

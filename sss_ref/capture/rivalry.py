@@ -6,6 +6,7 @@ from sss_ref.capture.candidate import CLEARLY, Candidate
 from sss_ref.capture.surfaces import Unnamed
 
 WORTH = 0.15  # how much must speak for a place to be a way at all
+USED = 0.6  # ... for a use of what is as good, that leaves this place
 
 
 class Rivalry:
@@ -42,6 +43,8 @@ class Rivalry:
             left, then = self._elsewhere(other, each), self._elsewhere(each, other)
         else:
             left, then = self._by_others(other, each), self._by_others(each, other)
+        if other.score > each.score - CLEARLY and left < USED:  # no better by itself, and no use for the other is sure
+            return each.score - other.score
         return each.score + left - other.score - then
 
     def _elsewhere(self, who: Candidate, than: Candidate) -> float:
