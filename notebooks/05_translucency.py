@@ -191,6 +191,10 @@ assert saturated > 0.8
 #
 # The light starts behind the ear; `azimuth` lets it go round. $x$ and $y$ make one number, $x^y$; the exponent says how
 # fast thick parts go dark, and with 0 thickness does not count.
+#
+# The paper's application has such a menu (3.1): light and material are changed while it runs, and the model is seen
+# by an orbiting or a free camera. `sss-ref view figure3_with` opens the like of it in your browser, with every key
+# of the scene.
 
 
 # %%

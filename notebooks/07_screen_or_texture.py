@@ -17,7 +17,8 @@
 #
 # Both methods take neighbours for neighbours: one on the screen, one on the map. The paper finds that "both methods
 # produce results that look more life-like than plain Phong shading", and that both have an "obvious issue with
-# locality" (4). This notebook puts numbers to it. The same head, light, material and kernel; only the method changes.
+# locality" (4). This notebook puts numbers to the second, lesson 12 to the first. The same head, light, material and
+# kernel; only the method changes.
 
 # %%
 import numpy as np
@@ -162,6 +163,24 @@ def from_afar(distance, azimuth):
 
 
 figures.Sliders(from_afar, distance=(1.6, 3.0, 9.0), azimuth=(-180, 32, 180))
+
+# %% [markdown]
+# ## Several pictures from one draw
+#
+# "This method uses multiple render targets (MRTs)" (2.1): one draw of the model fills several pictures at once, for
+# each pixel a value in each. It saves drawing the model again for each thing that a later pass reads. In texture
+# space the shadow map has them: "it stores the fragment's UV coordinates in addition to the light distance" (2.2). Of
+# each pass, how many buffers the package keeps, so that you can check them, and which of them a later pass reads:
+
+# %%
+for method, result in zip(METHODS, (screen, texture), strict=True):
+    print(method.replace("_", " "))
+    passes = [each for each in result.scene.method.passes if not each.on_demand]
+    for number, each in enumerate(passes):
+        later = {name for after in passes[number + 1 :] for name in after.reads}
+        targets = [name for name in each.outputs if name in later]
+        print(f"    {each.name}: {len(each.outputs)} buffers, read later: {', '.join(targets) or 'none, shown'}")
+assert "light_uv" in texture.buffers and "light_uv" not in screen.buffers
 
 # %% [markdown]
 # ## What it costs

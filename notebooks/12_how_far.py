@@ -28,14 +28,12 @@ import sss_ref
 from sss_ref.course import checks, diffusion_figures, figures, small_scenes
 from sss_ref.pictures.png_file import srgb8
 from sss_ref.truth.chandrasekhar import diffuse_half_space_reflectance
-from sss_ref.truth.kernel_fit import fitted_kernel
+from sss_ref.truth.material_fit import fitted_material
 from sss_ref.truth.media import volumes
 
 # %%
 from sss_ref.truth.radiance import nothing_gathered
-from sss_ref.truth.searchlight import searchlight
 from sss_ref.truth.tracing import Tracing
-from sss_ref.truth.transmittance_fit import fitted_transmittance
 
 # %% [markdown]
 # ## The body
@@ -162,42 +160,22 @@ beside_the_truth(*techniques)
 #
 # ## Told what it is made of
 #
-# `sss-ref fit` (lesson 11) knows the material: a kernel, and $e^{-kd}$ for each colour. (T holds the colour
-# already, so it is divided by what the surface multiplies by.)
+# `sss-ref fit` (lesson 11) knows the material. From its walks, here with light from all sides, as for the colour
+# above, it has the kernel, $e^{-kd}$ for each colour, and for the other techniques the profile as a sum of
+# Gaussians, or albedo and mean free path: the keys of a scene file. They add T where the surface faces away from
+# the lamp; *wrapped* adds it as far round to the lit side as `robust` does.
 
 # %%
-profiles = [searchlight(volume, 100_000) for volume in skin]
-kernel, laws = fitted_kernel(profiles), [fitted_transmittance(volume, 20_000) for volume in skin]
-KERNEL = {"blur.kernel": [list(tap) for tap in kernel.taps], "blur.mm_per_offset": kernel.mm_per_offset}
-NO_T = {"translucency.scale": 0.0}
-T = {"translucency.form": "beer", "translucency.x": [law.fading * 10.0 for law in laws], "translucency.d_min": 0.001}
-T |= {"translucency.scale": [law.amplitude / own for law, own in zip(laws, color, strict=True)]}
-
-# %% [markdown]
-# The other techniques take the profile as a sum of Gaussians, or as albedo and mean free path. Six variances in
-# mm², and the weights that lesson 11's EM finds for them. Separable and burley have the same T, gaussian_texture
-# has its own.
+found = fitted_material(skin, 50_000, diffuse=True).keys(10.0, "beer")
+tables = ("blur", "translucency", "diffusion")
+FITTED = {f"{table}.{key}": value for table in tables for key, value in found[table].items()}
+print(*FITTED, sep=", ")
 
 # %%
-GAUSSIANS = [  # variance, red, green, blue
-    [0.01, 0.093, 0.181, 0.317],
-    [0.06, 0.062, 0.128, 0.200],
-    [0.30, 0.179, 0.270, 0.311],
-    [1.20, 0.197, 0.271, 0.157],
-    [5.00, 0.319, 0.147, 0.014],
-    [25.0, 0.151, 0.004, 0.000],
-]
-variance, *shares = np.array(GAUSSIANS).T
-for share, walked in zip(shares, profiles, strict=True):
-    assert all(abs(share @ -np.expm1(-r * r / (2 * variance)) - walked.within(r)) < 0.02 for r in (0.2, 0.5, 1, 2, 5))
-
-# %%
-free_paths = [1 / (volume.scattering + volume.absorption) for volume in skin]
-PROFILE = {"diffusion.profile": GAUSSIANS, "diffusion.mean_free_path_mm": free_paths, "diffusion.reach_mm": 12.0}
-PROFILE |= {"diffusion.albedo": [walked.reflectance for walked in profiles]}
-fitted = {"fitted, no T": KERNEL | NO_T, "fitted": KERNEL | T}
-fitted |= {"fitted, on a map": KERNEL | T | {"method": "texture_space"}}
-fitted |= {name: PROFILE | T | {"method": name} for name in ("separable", "burley", "gaussian_texture")}
+fitted = {"fitted, no T": FITTED | {"translucency.scale": 0.0}, "fitted": FITTED}
+fitted |= {"fitted, wrapped": FITTED | {"translucency.wrap": 0.5}}
+fitted |= {"fitted, on a map": FITTED | {"method": "texture_space"}}
+fitted |= {name: FITTED | {"method": name} for name in ("separable", "burley", "gaussian_texture")}
 techniques |= fitted
 for name, keys in fitted.items():
     pictures[name] = sss_ref.render(ball(**keys)).image
@@ -209,13 +187,14 @@ diffusion_figures.bars(far, "How far from the truth", "mean delta E 2000", noise
 assert far["fitted, on a map"] < far["robust"] < far["by the text"] < far["Phong"]
 
 # %%
-beside_the_truth("fitted, no T", "fitted", "fitted, on a map", "gaussian_texture")
+beside_the_truth("fitted, no T", "fitted", "fitted, wrapped", "fitted, on a map")
 
 # %% [markdown]
 # Three things to take home.
 #
-# - **The kernel is worth most.** Its weights alone bring the picture to half of Phong's distance.
-# - **Two right parts can make a wrong whole.** T is right for a slab, the kernel for a plane. On the ball the light
+# - **The kernel is worth most.** Without any T it brings the picture from Phong's 11 to 6 or 7, and every technique
+#   that knows the profile is about there.
+# - **Two right parts can make a wrong whole.** T is right for a slab, the kernel for a plane. *Wrapped*, the light
 #   just behind the terminator is in both, and red is too bright there. Who fits the parts must still look at the
 #   sum.
 # - **Something is left in all of them.** Look at blue, which hardly spreads: too bright where the ball faces us and
