@@ -7,6 +7,7 @@
 3. What nothing of that explains, from a right source and right inputs, is the fault of translator or compiler.
 """
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import get_origin
@@ -38,6 +39,8 @@ LAXER: Mapping[str, Profile] = {
     "a depth buffer of 24 bits": Profile(depth_format="D24"),
     "a reversed depth buffer": Profile(reversed_depth=True),
 }
+
+FRACTION = re.compile(r"\d\.(?!5 )\d+ pixels too far")  # a picture that lies off so is no viewport's, but a matrix's
 
 
 @dataclass(frozen=True)
@@ -109,7 +112,9 @@ class Suspicion:
         """A state of the draw, a format, a clear value, or a rasterizer of another kind."""
         if wrong.background and not wrong.failing:
             yield SETTING, f"in {wrong.buffer}, {wrong.background}"
-        yield from ((SETTING, each.text) for each in _explanations(report)[:1] if each.rank == STATE)
+        for each in _explanations(report)[:1]:
+            if each.rank == STATE:
+                yield INPUT if FRACTION.search(each.text) else SETTING, each.text
         if wrong.stage == RASTERIZER:
             for says, profile in LAXER.items():
                 if judge(oracle, self.drawing, None, profile, VERDICTS_ALONE, Clock()).passed:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from opengl import needs_mesa
 
-from sss_ref.blame.blaming import COMPILER, INPUT, NOBODY, SETTING, SHADER, UNKNOWN, Suspicion
+from sss_ref.blame.blaming import COMPILER, FRACTION, INPUT, NOBODY, SETTING, SHADER, UNKNOWN, Suspicion
 from sss_ref.blame.stacks import GLSL, WGSL, Stack, language_of, stacks_here
 from sss_ref.cli import main
 from sss_ref.gl.drawing import draw
@@ -14,6 +14,7 @@ from sss_ref.gl.shaders import shader_folder
 from sss_ref.interpret.shader import array_lengths, shader_files
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.accept.dumped import Drawing
+from sss_ref.validation.cause.redrawn import lies
 
 SIDE = 32
 SIZES = {f"{table}.{side}": SIDE for table in ("camera", "shadow_map") for side in ("width", "height")}
@@ -100,6 +101,13 @@ def test_another_number_and_another_mesh_are_inputs(scene, folder):
     moved[::3] *= np.float32(1.03)
     elsewhere = replace(scene, mesh=replace(scene.mesh, positions=moved))
     assert blamed(scene, draw(elsewhere), files(folder, scene)).whose == INPUT
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "of_a_matrix"), [(1, 0, False), (0.5, 0.5, False), (0.207, 0, True), (1, 0.3, True)]
+)
+def test_a_part_of_a_pixel_is_a_matrixs(x, y, of_a_matrix):
+    assert bool(FRACTION.search(lies(x, y))) is of_a_matrix
 
 
 def test_without_the_source_shader_and_compiler_are_not_told_apart(scene, wrong_folder):

@@ -1,5 +1,7 @@
 """The shader of a witness, which reads nothing: green on a right device, red where the stage is another."""
 
+import glob
+import os
 import re
 import shutil
 import subprocess
@@ -13,9 +15,10 @@ from sss_ref.cli import main
 from sss_ref.gl.stand_alone_run import run_alone
 from sss_ref.interpret.shader import ESSL
 from sss_ref.validation.witness.recording import recorded
-from sss_ref.validation.witness.stand_alone import stand_alone
+from sss_ref.validation.witness.stand_alone import stand_alone, write_stand_alone
 from sss_ref.validation.witness.witness_record import write_record
 
+RUNNERS = glob.glob("/usr/lib/*/piglit/bin/shader_runner")
 VALIDATOR = shutil.which("glslangValidator")
 SLIPS = {  # buffer -> what is written otherwise in its stage, and how
     "phong": ("ambient / light_count", "ambient * light_count * 2.0"),
@@ -60,6 +63,19 @@ def test_it_compiles_as_glsl_of_opengl_es_too(name, tmp_path):
     path.write_text(stand_alone(witness_of(name), ESSL))
     done = subprocess.run([VALIDATOR, path], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout
+
+
+@needs_mesa
+@pytest.mark.skipif(not RUNNERS, reason="no shader_runner is installed (Debian: piglit)")
+@pytest.mark.parametrize(("slip", "result"), [(False, "pass"), (True, "fail")])
+def test_piglit_runs_the_test(slip, result, tmp_path):
+    path = write_stand_alone(witness_of("phong"), tmp_path / "alone.shader_test")
+    if slip:
+        path.write_text(path.read_text().replace(*SLIPS["phong"]))
+    environment = os.environ | {"PIGLIT_PLATFORM": "surfaceless_egl"}
+    command = [RUNNERS[0], path, "-auto", "-fbo"]
+    printed = subprocess.run(command, env=environment, capture_output=True, text=True).stdout
+    assert f'PIGLIT: {{"result": "{result}" }}' in printed
 
 
 @needs_mesa
