@@ -45,7 +45,7 @@ PLACES: Mapping[Callable[[Any], None], StageAtWork] = {
     checks.lit_within_a_bias: StageAtWork(
         directly_lit_literal, instead_of="directly_lit_slope", overrides=HARD | {"shadow_map.bias_abs": 0.03}
     ),
-    checks.matt_surface: StageAtWork(phong_shading, overrides=HARD | {"phong.specular": 0.0}),
+    checks.matt_surface: StageAtWork(phong_shading, overrides=HARD | {"phong.specular": 0.0}, buffer="phong"),
     checks.stencilled: StageAtWork(over_background, overrides={"blur.pixel_scale": 6.0}),
     checks.where_light_entered: StageAtWork(back_point, overrides=HARD),
     checks.mixed_with_phong: StageAtWork(image_sqrt, "figure5", {**MAPPED, "irradiance_map.image": "sqrt"}),

@@ -21,23 +21,18 @@ NAME = "01_light_and_distance"
 (LESSON,) = (lesson for lesson in lessons() if lesson.name == NAME)
 LINE, STAGE, SHADER = LESSON.exercises
 OPEN = "    return depth  # change this line"
-ANSWERS = {  # student -> the line that stands where the lesson has OPEN
-    "right": "    return depth / math.cos(angle)",
-    "wrong": "    return 2 * depth",
-    "untried": OPEN,
-    "same, other comment": "    return depth",
-    "endless": "    __import__('time').sleep(600)",
-    "ends the process": "    __import__('os')._exit(0)",
-    "no Python": "    return depth /",
+HERE = {  # the line that stands where the lesson has OPEN -> its mark
+    "    return depth / math.cos(angle)": RIGHT,
+    "    return 2 * depth": WRONG,
+    OPEN: UNTRIED,
+    "    return depth  # another comment": UNTRIED,
+    "    return depth /": BROKEN,
+    "    return undefined": WRONG,
 }
-RESULTS = {
-    "right": RIGHT,
-    "wrong": WRONG,
-    "untried": UNTRIED,
-    "same, other comment": UNTRIED,
-    "endless": ENDLESS,
-    "ends the process": BROKEN,
-    "no Python": BROKEN,
+APART = {  # student -> a line that wants a process of its own, and its mark
+    "right": ("    return depth / math.cos(angle)", RIGHT),
+    "endless": ("    __import__('time').sleep(600)", ENDLESS),
+    "ends the process": ("    __import__('os')._exit(0)", BROKEN),
 }
 
 
@@ -56,7 +51,7 @@ def own(answer):
 @pytest.fixture(scope="module")
 def graded(tmp_path_factory):
     folder = tmp_path_factory.mktemp("class")
-    for name, answer in ANSWERS.items():
+    for name, (answer, _) in APART.items():
         hand_in(folder / name, own(answer))
     hand_in(folder / "no notebook", "{")
     hand_in(folder / "no cells", json.dumps({"cells": [{"cell_type": "code"}]}))
@@ -67,12 +62,18 @@ def results(student):
     return {mark.exercise: mark.result for mark in student.marks}
 
 
-@pytest.mark.parametrize("name", ANSWERS)
+@pytest.mark.parametrize("answer", HERE)
+def test_a_line_is_marked(answer):
+    found = {name: mark for name, mark, _ in marks(code_cells(own(answer), NAME), LESSON, frozenset())}
+    assert found == {LINE: HERE[answer], STAGE: UNTRIED, SHADER: UNTRIED}
+
+
+@pytest.mark.parametrize("name", APART)
 def test_a_student_is_marked(name, graded):
-    assert results(graded[name])[LINE] == RESULTS[name]
+    assert results(graded[name])[LINE] == APART[name][1]
 
 
-@pytest.mark.parametrize("name", ANSWERS)
+@pytest.mark.parametrize("name", APART)
 def test_the_other_exercises_are_marked_all_the_same(name, graded):
     assert results(graded[name])[STAGE] == results(graded[name])[SHADER] == UNTRIED
 
@@ -91,7 +92,10 @@ def test_a_lesson_that_is_not_there_is_missing(graded):
 
 
 def test_the_hint_is_what_the_student_was_told(graded):
-    assert "Draw the right-angled triangle" in graded["wrong"].marks[0].hint
+    *_, hint = next(
+        each for each in marks(code_cells(own("    return 2 * depth"), NAME), LESSON, frozenset()) if each[2]
+    )
+    assert "Draw the right-angled triangle" in hint
     assert graded["endless"].marks[0].hint == "after 20 s"
 
 
@@ -123,7 +127,7 @@ def test_a_student_is_taken_alone_or_in_a_class(tmp_path):
 
 
 def test_the_command_prints_csv_with_hints(tmp_path, capsys):
-    hand_in(tmp_path / "ada", own(ANSWERS["wrong"]))
+    hand_in(tmp_path / "ada", own("    return 2 * depth"))
     assert main(["grade", str(tmp_path / "ada"), "--format", "csv"]) == 0
     told = capsys.readouterr()
     lines = [*csv.DictReader(io.StringIO(told.out))]
