@@ -185,7 +185,8 @@ assert culprit.stage == "translucency_ratio"
 
 # %% [markdown]
 # With your own renderer: save each buffer as `NAME.npy` into a folder and run `sss-ref validate`, which does all of
-# this and writes a page with the pictures.
+# this and writes a page with the pictures. Without one: `sss-ref webgl figure3_with --judge` writes a page in which
+# your browser draws each stage on your own GPU; change a shader there, or plant a mistake, and see which is named.
 #
 # ## Exercises
 #
