@@ -83,7 +83,8 @@ class Dialect:
     """A shading language.
 
     title: its name. types: type -> its name. textures: type of a texel -> the texture's type. calls: primitive -> how
-    it is written, with {0}, {1} for the arguments. texel, element: how a texture, or a long array in one, is read.
+    it is written, with {0}, {1} for the arguments; also "!=" of two numbers, where the language's own is wrong for NaN.
+    texel, element: how a texture, or a long array in one, is read.
     four_channels: whether a texel has four, whatever its texture holds.
     products: type of a matrix m -> its product with the vector v. splat: a vector of type {0}, each component {1}.
     written: how definitions and statements are written. constant: what stands before a constant. exact: what stands

@@ -97,6 +97,8 @@ class Expressions:
         if first.type in (mat3, mat4):
             return f"{self.definitions.transform(first.type)}({self.listed(expression.operands)})", ATOM
         symbol, second = SYMBOLS.get(expression.operator, expression.operator), expression.operands[1]
+        if expression.operator in self.dialect.calls and first.type is float:
+            return self.dialect.calls[expression.operator].format(self.text(first, SUM), self.text(second, SUM)), SIGN
         if expression.operator == "|":
             return f"{self.side_of_or(first)} {symbol} {self.side_of_or(second)}", binding
         return f"{self.text(first, binding)} {symbol} {self.text(second, binding + 1)}", binding

@@ -114,6 +114,7 @@ WGSL = Dialect(
         "int32": "i32({0})",
         "select": "select({2}, {1}, {0})",
         "size": "vec2<i32>(textureDimensions({0}))",
+        "!=": "!({0} == {1})",  # naga's own is false where one of them is NaN
     },
     texel="textureLoad({0}, {1}, 0)",
     element=f"textureLoad({{0}}, vec2<i32>({{1}} % {ARRAY_WIDTH}, {{1}} / {ARRAY_WIDTH}), 0)",
