@@ -12,10 +12,14 @@ T = TypeVar("T")
 
 @function
 def nearest_texel(map_size: ivec2, uv: vec2) -> ivec2:
-    """The texel that holds uv: floor(uv * size), clamped, so u = 1 belongs to the last texel."""
-    column = clamp(floor(uv.x * float32(map_size.x)), 0.0, float32(map_size.x - 1))
-    row = clamp(floor(uv.y * float32(map_size.y)), 0.0, float32(map_size.y - 1))
-    return ivec2(int32(column), int32(row))
+    """The texel that holds uv: floor(uv * size), clamped, so u = 1 belongs to the last texel; for NaN any texel.
+
+    Clamped as a number, which may be too large for an int, and as an int, as nobody knows which one NaN becomes.
+    """
+    last = map_size - ivec2(1, 1)
+    column = clamp(floor(uv.x * float32(map_size.x)), 0.0, float32(last.x))
+    row = clamp(floor(uv.y * float32(map_size.y)), 0.0, float32(last.y))
+    return ivec2(clamp(int32(column), 0, last.x), clamp(int32(row), 0, last.y))
 
 
 @function
@@ -72,8 +76,9 @@ def sample_bilinear_clamped(texture: Texture[genType], uv: vec2) -> genType:
 
 @function
 def repeated(index: int, count: int) -> int:
-    """An index from -1 to `count`, brought round to the other end where it is outside."""
-    return select(index < 0, index + count, select(index < count, index, index - count))
+    """An index from -1 to `count`, brought round to the other end where it is outside; what NaN becomes, inside too."""
+    around = select(index < 0, index + count, select(index < count, index, index - count))
+    return clamp(around, 0, count - 1)
 
 
 @function

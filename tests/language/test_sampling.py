@@ -144,6 +144,16 @@ def test_nearest_texel_rounds_before_the_floor():
     assert nearest(0.04, 0, 25, 1) == (1, 0)
 
 
+@pytest.mark.parametrize("u", ["nan", "inf", "-inf", "1e30", "-1e30"])
+def test_every_number_leads_inside(u):
+    """Also NaN, of which processors make various integers, and what `fract` makes of infinity."""
+    texture = Texture(F([[1, 2], [3, 7]]))
+    with np.errstate(invalid="ignore"):
+        at = nearest_texel(ivec2(np.int32(2), np.int32(3)), vec2(F(u), F(u)))
+        sample_bilinear_repeat(texture, vec2(F(u), F(0.5))), sample_bilinear_clamped(texture, vec2(F(u), F(0.5)))
+    assert (at.x, at.y) == ((1, 2) if u in ("inf", "1e30") else (0, 0))
+
+
 def sample(picture, uv):
     texture = Texture(picture)
     at = texel_position(size(texture), vec2(*map(F, uv)))

@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from sss_ref.errors import SceneError
+from sss_ref.errors import RenderError, SceneError
+from sss_ref.rendering.fold import render
 from sss_ref.scene import load_scene
+from sss_ref.validation.stage_by_stage import validate
 
 WITH_UVS = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvt 1 0\nvt 0 1\n"
 FACES = "usemtl skin\nf 1/1 3/3 2/2\nf 1/1 2/2 4/3\nf 1/1 4/2 3/3\nusemtl hair\nf 2/1 3/2 4/3\n"
@@ -84,3 +86,27 @@ def test_texture_that_is_no_picture(textured, tmp_path):
     (tmp_path / "a.png").write_bytes(b"text")
     found = refusal(textured, **{"mesh.texture": str(tmp_path / "a.png")})
     assert found == "scene: mesh.texture: expected a PNG or JPEG picture, got another kind of file; export it again"
+
+
+def drawn(scene, interpreter):
+    """Rendered, without a shadow map to speak of."""
+    return render(load_scene(scene, **{"shadow_map.width": 8, "shadow_map.height": 8}), interpreter)
+
+
+@pytest.mark.parametrize("interpreter", ["arrays", "kernel"])
+def test_a_uv_that_overflows_is_an_error_and_reads_no_texel_elsewhere(textured, tmp_path, interpreter):
+    """Infinity less infinity is NaN, and the integer that it becomes is no place in the texture."""
+    textured["mesh"]["texture"] = str(tmp_path / "a.png")
+    (tmp_path / "a.obj").write_text((WITH_UVS + FACES).replace("vt 1 0", "vt 3e38 0").replace("vt 0 1", "vt -3e38 0"))
+    with pytest.raises(RenderError, match=r"^stage surface, pixel .*: result is not finite; "):
+        drawn(textured, interpreter)
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_a_dumped_uv_that_is_no_number_is_judged(textured, tmp_path, value):
+    textured["mesh"]["texture"] = str(tmp_path / "a.png")
+    ours = drawn(textured, "arrays")
+    dumped = {"uv": ours["uv"].copy(), "albedo": ours["albedo"]}
+    dumped["uv"][tuple(np.argwhere(ours["coverage"])[0])] = value
+    report = validate(ours, dumped, profile="ieee", explain=False)
+    assert "stage surface" in report.summary and not report.passed
