@@ -30,8 +30,8 @@ def marks(cells: list[str], lesson: Lesson, skipped: frozenset[str]) -> Iterator
     shipped = _definitions(ast.parse(lesson.text))
     names: dict[str, Any] = {"__name__": "__main__"}
     for number, cell in enumerate(cells):
-        source = _without_magic(cell)
         try:
+            source = _python_of(cell)
             program = ast.parse(source)
         except (SyntaxError, ValueError) as error:
             yield from ((check, BROKEN, f"{error}") for check in lesson.exercises if f"checks.{check}" in cell)
@@ -48,9 +48,13 @@ def _answer_of(lesson: Lesson, check: str) -> str:
     return ast.unparse(asked_for(ast.parse(lesson.text))[check])
 
 
-def _without_magic(cell: str) -> str:
-    """A cell without the lines that only a notebook understands."""
-    return "\n".join("" if line.lstrip().startswith(("%", "!")) else line for line in cell.splitlines())
+def _python_of(cell: str) -> str:
+    """A cell as it is, or where that is no Python, without the lines that only a notebook understands."""
+    try:
+        ast.parse(cell)
+    except (SyntaxError, ValueError):
+        return "\n".join("" if line.lstrip().startswith(("%", "!")) else line for line in cell.splitlines())
+    return cell
 
 
 def _define(program: ast.Module, source: str, file: str, names: dict[str, Any]) -> None:

@@ -102,3 +102,12 @@ def test_a_stage_that_there_is_not_is_told(answer, hint):
 def test_a_wrong_kind_of_line_is_told(answer, hint):
     with pytest.raises(checks.NotYet, match=hint):
         checks.distance_of_a_wall(answer)
+
+
+def test_without_opengl_it_is_said_what_is_missing(monkeypatch, capsys):
+    def refused():
+        raise ShaderError("gl: expected OpenGL 4.0, got none; check the driver")
+
+    monkeypatch.setattr("sss_ref.gl.context.open_context", refused)
+    told = tried(checks.lambert_in_glsl, SOLUTIONS[checks.lambert_in_glsl], capsys)
+    assert told == "Not checked: gl: expected OpenGL 4.0, got none; check the driver\n"

@@ -28,6 +28,8 @@ HERE = {  # the line that stands where the lesson has OPEN -> its mark
     "    return depth  # another comment": UNTRIED,
     "    return depth /": BROKEN,
     "    return undefined": WRONG,
+    "    return (depth / math.cos(angle)\n    % 1e9)": RIGHT,
+    "    return depth / math.cos(angle)\n\n\n%matplotlib inline": RIGHT,
 }
 APART = {  # student -> a line that wants a process of its own, and its mark
     "right": ("    return depth / math.cos(angle)", RIGHT),
