@@ -9,6 +9,7 @@ shaders of ours written otherwise, drawn by right processors of many kinds.
 """
 
 import argparse
+import re
 import sys
 import tempfile
 import time
@@ -60,10 +61,13 @@ def main() -> None:
     parser.add_argument("--size", type=int, default=48)
     parser.add_argument("--every", type=int, default=8, help="every n-th mutant")
     parser.add_argument("--right", type=int, default=50, help="pictures that are nobody's fault")
+    parser.add_argument("--only", default="", help="faults whose names have this regular expression in them")
     parser.add_argument("--seconds", type=float, default=5.0, help="for the explanations of each")
     options = parser.parse_args()
     counts: Counter[tuple[str, str]] = Counter()
     for case in cases(options.size, options.every, options.right):
+        if not re.search(options.only, case.name):
+            continue
         start = time.perf_counter()
         said = blamed(case, options.seconds)
         counts[case.whose, said.whose] += 1

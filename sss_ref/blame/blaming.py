@@ -40,6 +40,7 @@ LAXER: Mapping[str, Profile] = {
     "a reversed depth buffer": Profile(reversed_depth=True),
 }
 
+KERNEL = "taps are swapped"  # how `validate` tells a kernel that was handed over otherwise
 FRACTION = re.compile(r"\d\.(?!5 )\d+ pixels too far")  # a picture that lies off so is no viewport's, but a matrix's
 
 
@@ -87,7 +88,9 @@ class Suspicion:
         this_pass = self.scene.method[wrong.pass_name]
         others = self._others(Bench(oracle, self.drawing, this_pass, self.profile))
         whose, because = self._found(oracle, report, wrong, others)
-        return Blame(whose, (report.summary, *map(str, others), because), report)
+        untried = report.finding.not_tried if report.finding else ""
+        told = (report.summary, *map(str, others), because, untried)
+        return Blame(whose, tuple(filter(None, told)), report)
 
     def _others(self, bench: Bench) -> list[OtherDrawing]:
         """The source of the wrong pass on other stacks."""
@@ -113,18 +116,31 @@ class Suspicion:
         if wrong.background and not wrong.failing:
             yield SETTING, f"in {wrong.buffer}, {wrong.background}"
         for each in _explanations(report)[:1]:
-            if each.rank == STATE:
-                yield INPUT if FRACTION.search(each.text) else SETTING, each.text
+            if each.rank == STATE or (each.rank == NUMBER and not self._named(each.text)):
+                yield INPUT if self._is_of_a_matrix(each.text) else SETTING, each.text
         if wrong.stage == RASTERIZER:
             for says, profile in LAXER.items():
                 if judge(oracle, self.drawing, None, profile, VERDICTS_ALONE, Clock()).passed:
                     yield SETTING, f"right for a processor with {says}"
 
+    def _is_of_a_matrix(self, text: str) -> bool:
+        """Whether a state of the draw, in words, is one that a matrix gives it: a jitter, or other planes."""
+        return FRACTION.search(text) is not None or self._named(text.partition(" ")[0])
+
+    def _named(self, text: str) -> bool:
+        """Whether words name a uniform; a viewport's size, a number too, is none."""
+        return not self.scene.uniforms.keys().isdisjoint(text.split())
+
+    def _is_given(self, each: Hypothesis, report: Report, wrong: Verdict) -> bool:
+        """Whether an explanation is of what a stage was given: a kernel, or a number that nobody else has right."""
+        numbers = each.rank in (NUMBER, FITTED)
+        return KERNEL in each.text or (numbers and not right_elsewhere(self.scene, each.text, report, wrong))
+
     def _inputs(self, report: Report, wrong: Verdict) -> Iterator[tuple[str, str]]:
         """Other numbers, and where nothing explains it other meshes and pictures."""
         found, this_pass = _explanations(report), self.scene.method[wrong.pass_name]
         for each in found[:1]:
-            if each.rank in (NUMBER, FITTED) and not right_elsewhere(self.scene, each.text, report, wrong):
+            if self._is_given(each, report, wrong):
                 yield INPUT, each.text
         if not found and reads_asset(self.scene, this_pass, wrong.stage):
             yield INPUT, f"stage {wrong.stage} reads the mesh or a picture, and no mistake in it explains what it gives"
