@@ -173,7 +173,7 @@ r = np.linspace(0.02, 8, 400)
 for color, (name, profile) in zip(figures.CHANNELS, profiles.items(), strict=True):
     diffusion_figures.profile(panel, profile, color, name)
     panel.plot(r, dipole_density(dipole(skin[name]), r), color=color, linestyle="--", linewidth=1.2)
-panel.set(title="Skin: the walk (lines, with ± 2 errors) and the dipole (dashed)", xlim=(0, 8), ylim=(1e-5, 3))
+_ = panel.set(title="Skin: the walk (lines, with ± 2 errors) and the dipole (dashed)", xlim=(0, 8), ylim=(1e-5, 3))
 
 # %% [markdown]
 # Far away the dipole is right, and near the beam it is not: it has all light begin a free path below. Sums hide
@@ -232,7 +232,7 @@ _, (panel,) = figures.row(1, height=3.2, width=4.6)
 panel.plot(albedo, exact, color=figures.BLUE, label="exact")
 panel.plot(1 - ((1 - handy) / (1 + 2 * handy)) ** 2, handy, "--", color=figures.AMBER, label="van de Hulst")
 panel.set(title="A half-space without border", xlabel="albedo of one event", ylabel="reflectance")
-panel.legend()
+_ = panel.legend()
 
 # %% [markdown]
 # ## Your own material

@@ -116,7 +116,7 @@ for count, color in ((1, figures.AMBER), (3, figures.TEAL), (6, figures.RED)):
     density = red.reflectance * (weight / (2 * np.pi * variance) * np.exp(-(r**2) / (2 * variance))).sum(axis=1)
     panel.plot(r, density, color=color, label=f"{count} Gaussian{'s' * (count > 1)}", linewidth=1.3)
 panel.set(xlim=(0, 10), ylim=(1e-5, 3), title="A profile as a sum of Gaussians")
-panel.legend()
+_ = panel.legend()
 
 # %%
 for count in range(1, 7):
@@ -197,7 +197,7 @@ diffusion_figures.transmittance(
 left.set(xscale="log", ylim=(0.01, 2))
 exponentials = [law.amplitude * np.exp(-law.fading * law.thickness) for law in laws]
 diffusion_figures.transmittance(right, laws, exponentials, "the same, and $e^{-kd}$")
-right.set(xlim=(0, 11), ylim=(0.01, 1.2))
+_ = right.set(xlim=(0, 11), ylim=(0.01, 1.2))
 
 # %% [markdown]
 # A power law is a straight line on the left, an exponential on the right. The walk is bent on the left.
@@ -215,7 +215,7 @@ for name, law in zip(COLORS, laws, strict=True):
 # the true one. What it gets **wrong**:
 #
 # - At $d = 0$ it is infinite, and the truth is 1. `d_min` mends that.
-# - From there on it falls too slowly: whoever adjusts $x^y$ to an ear has a head that glows.
+# - Beyond these two millimetres it falls too slowly: whoever adjusts $x^y$ to an ear has a head that glows.
 # - It is gray. Thickness is what makes light red:
 
 # %%
@@ -246,9 +246,9 @@ for name, volume in zip(COLORS[:2], skin[:2], strict=True):
 # sss-ref fit skin1 --mm-per-unit 150
 # ```
 #
-# the colour of the mesh (what a half-space gives back), a kernel on the paper's thirteen points with new weights
-# for each of the three rings, and $y$, the exponent and `d_min` of $T$ for each colour; and for those who may
-# change the formula, $e^{-kd}$. The thirteen taps again, now with these weights:
+# They are the colour of the mesh (what a half-space gives back), a kernel on the paper's thirteen points with new
+# weights for each of the three rings, and $y$, the exponent and `d_min` of $T$ for each colour; and for those who
+# may change the formula, $e^{-kd}$. The thirteen taps again, now with these weights:
 
 # %%
 fitted = np.array(kernel.taps)

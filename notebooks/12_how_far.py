@@ -211,7 +211,7 @@ for panel, name in zip(axes, ("Phong", "robust", "fitted, on a map", "burley"), 
 # %% [markdown]
 # ## Another body, another order
 #
-# A ranking belongs to a scene. The bust, as tall as a thumb:
+# A ranking belongs to a scene. The bust of the other lessons, 8 cm tall:
 
 
 # %%
