@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sss_ref.errors import ShaderError
+from sss_ref.errors.text_file import text_of
 from sss_ref.gl import context as opengl
 from sss_ref.gl.drawing import draw_pass as draw_by_opengl
 from sss_ref.gl.shaders import Files, listed
@@ -49,6 +50,6 @@ def stacks_here(language: str) -> list[Stack]:
 
 
 def language_of(shaders: Mapping[str, Files]) -> str:
-    """The language that a user's files are in. Raises OSError where one cannot be read."""
-    texts = (path.read_text(encoding="utf-8") for files in shaders.values() for path in listed(files))
+    """The language that a user's files are in. Raises ShaderError where one cannot be read."""
+    texts = (text_of(path, "shader source", ShaderError) for files in shaders.values() for path in listed(files))
     return WGSL if any(word in text for text in texts for word in WGSL_ALONE) else GLSL

@@ -9,6 +9,7 @@ from opengl import needs_mesa
 from sss_ref.blame.blaming import COMPILER, FRACTION, INPUT, NOBODY, SETTING, SHADER, UNKNOWN, Suspicion
 from sss_ref.blame.stacks import GLSL, WGSL, Stack, language_of, stacks_here
 from sss_ref.cli import main
+from sss_ref.errors import ShaderError
 from sss_ref.gl.drawing import draw
 from sss_ref.gl.shaders import shader_folder
 from sss_ref.interpret.shader import array_lengths, shader_files
@@ -118,6 +119,9 @@ def test_the_language_is_that_of_the_files(folder, scene, tmp_path):
     assert language_of(files(folder, scene)) == GLSL
     (tmp_path / "camera.frag").write_text("@fragment fn main() {}")
     assert language_of({"camera": tmp_path / "camera.frag"}) == WGSL
+    (tmp_path / "camera.frag").write_bytes(b"\xff")
+    with pytest.raises(ShaderError, match=r"camera\.frag: expected shader source in UTF-8, got a byte"):
+        language_of({"camera": tmp_path / "camera.frag"})
 
 
 def test_on_the_command_line(folder, wrong_folder, capsys):
