@@ -18,8 +18,8 @@ CARD = """:::::{{grid-item-card}} {title}
 :img-alt: {title}
 
 {aims}
-+++
-{minutes} minutes
+
+*{minutes} minutes*
 :::::"""
 
 
