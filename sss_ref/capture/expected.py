@@ -18,6 +18,7 @@ from sss_ref.view.views import View
 MOST_PIXELS = 1024  # that two pictures are compared at
 MOST_ROWS = 96  # of the grid on which it is seen where something is drawn
 CONSTANT = 0.6  # how much must speak for a place of what is the same on all pixels that are drawn
+MASK = 0.8  # ... of what is yes or no
 LARGEST = {"unorm8": 255, "unorm16": 65535}
 
 PLAIN: Mapping[str, Any] = {}
@@ -88,7 +89,9 @@ class Sought:
 
     @property
     def least(self) -> float:
-        """How much must speak for a place of it: more for a constant, of which there is no order to be seen."""
+        """How much must speak for a place of it: more for a constant, which has no order, and for masks, all alike."""
+        if self.slot.dtype.kind == "u":
+            return MASK
         return 0.0 if self.readings[0].expected.standard.any() else CONSTANT
 
     @cached_property

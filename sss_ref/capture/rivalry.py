@@ -43,8 +43,8 @@ class Rivalry:
             left, then = self._elsewhere(other, each), self._elsewhere(each, other)
         else:
             left, then = self._by_others(other, each), self._by_others(each, other)
-        if other.score > each.score - CLEARLY and left < USED:  # no better by itself, and no use for the other is sure
-            return each.score - other.score
+        if left < USED and _is_as_good(other, each):  # nothing else is sure to take its place
+            return 0.0
         return each.score + left - other.score - then
 
     def _elsewhere(self, who: Candidate, than: Candidate) -> float:
@@ -74,6 +74,11 @@ class Rivalry:
             return False
         names = {o.name for number in alike for o in self.of_surface[number] if o.score > each.score - CLEARLY}
         return len(names) <= len(alike) and other.name in names
+
+
+def _is_as_good(other: Candidate, than: Candidate) -> bool:
+    """Whether a place is nearly as good as another one, or the better one by its numbers alone."""
+    return other.score > than.score - CLEARLY or other.close > than.close + CLEARLY
 
 
 def overlap(a: Candidate, b: Candidate) -> bool:
