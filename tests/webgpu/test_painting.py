@@ -18,10 +18,9 @@ from sss_ref.validation.stage_by_stage import validate
 
 pytestmark = needs_lavapipe
 
-QUICK = {  # what shows most: published (a texture read at the vertices, bytes), both methods, two bodies, two lights
+QUICK = {  # what shows most: published (a texture read at the vertices, bytes), both methods, two lights
     "figure4_wax": {},
     "figure5": {},
-    "teeth_layers": {},
     "wax": {},
     "teaching": {"method": "texture_space", "preset": "published"},
 }

@@ -21,10 +21,12 @@ def braced(head: str, lines: Sequence[str], end: str = "}") -> list[str]:
 
 def folded(text: str) -> str:
     """Source with its long lines broken at spaces."""
-    return "\n".join(part for line in text.splitlines() for part in _folded_line(line) or [""])
+    return "\n".join(part for line in text.splitlines() for part in _folded_line(line))
 
 
 def _folded_line(line: str) -> list[str]:
+    if len(line) <= LINE_LENGTH:
+        return [line]
     further = line[: len(line) - len(line.lstrip())] + 2 * INDENT
     kept = TYPED.sub(f":{UNBROKEN}", line)
     parts = textwrap.wrap(kept, LINE_LENGTH, subsequent_indent=further, break_long_words=False, break_on_hyphens=False)
