@@ -23,7 +23,7 @@ from sss_ref.rendering.result import Result
 from sss_ref.scene.scene import Scene
 from sss_ref.validation.accept.dumped import Drawing
 from sss_ref.validation.accept.rebased import RASTERIZER
-from sss_ref.validation.cause.hypothesis import FITTED, NUMBER, STATE, Hypothesis
+from sss_ref.validation.cause.hypothesis import FITTED, NUMBER, STAGE, STATE, Hypothesis
 from sss_ref.validation.clock import Clock
 from sss_ref.validation.report.report import Report
 from sss_ref.validation.scope import SECONDS, VERDICTS_ALONE, Scope
@@ -40,7 +40,7 @@ LAXER: Mapping[str, Profile] = {
     "a reversed depth buffer": Profile(reversed_depth=True),
 }
 
-KERNEL = "taps are swapped"  # how `validate` tells a kernel that was handed over otherwise
+ANOTHER_STAGE = "it computes "  # how `validate` tells that a stage gives what another one does
 FRACTION = re.compile(r"\d\.(?!5 )\d+ pixels too far")  # a picture that lies off so is no viewport's, but a matrix's
 
 
@@ -132,9 +132,13 @@ class Suspicion:
         return not self.scene.uniforms.keys().isdisjoint(text.split())
 
     def _is_given(self, each: Hypothesis, report: Report, wrong: Verdict) -> bool:
-        """Whether an explanation is of what a stage was given: a kernel, or a number that nobody else has right."""
+        """Whether an explanation is of what a stage was given: a number that nobody else has right, or a kernel.
+
+        What a right source draws as another reading of the paper would is given another kernel, or other constants.
+        """
         numbers = each.rank in (NUMBER, FITTED)
-        return KERNEL in each.text or (numbers and not right_elsewhere(self.scene, each.text, report, wrong))
+        other_reading = each.rank == STAGE and not each.text.startswith(ANOTHER_STAGE)
+        return other_reading or (numbers and not right_elsewhere(self.scene, each.text, report, wrong))
 
     def _inputs(self, report: Report, wrong: Verdict) -> Iterator[tuple[str, str]]:
         """Other numbers, and where nothing explains it other meshes and pictures."""

@@ -59,13 +59,16 @@ def pass_drawn(
     shaders: Mapping[str, Files],
     painting: Callable[[Scene], AbstractContextManager[Painter[T]]],
 ) -> dict[str, np.ndarray]:
-    """What a single pass writes that reads these buffers; the other arguments as `drawn` takes them."""
+    """What a single pass writes that reads these buffers, registers too where shaders do.
+
+    shaders, painting: as `drawn` takes them.
+    """
     with painting(scene) as painter:
         given = {name: painter.uploaded(buffer) for name, buffer in buffers.items()}
         drawing = _Drawing(scene, shaders, painter, {*this_pass.outputs}, given)
         drawing.run(this_pass)
-        written = {name: drawing.textures[name] for name in this_pass.outputs if name in drawing.textures}
-        return {name: painter.downloaded(texture, this_pass.outputs[name]) for name, texture in written.items()}
+        written = {name: drawing.textures[name] for name in this_pass.values if name in drawing.textures}
+        return {name: painter.downloaded(texture, this_pass.values[name]) for name, texture in written.items()}
 
 
 @dataclass
