@@ -3,12 +3,12 @@
 from collections.abc import Iterable
 from html import escape
 
+from sss_ref.pictures.self_contained import data_url, whole_page
 from sss_ref.yardstick.color_difference import MISSING, has_color_difference
 from sss_ref.yardstick.ladder import By, Ladder
 from sss_ref.yardstick.ladder_pictures import (
     SPAN,
     colour_bar,
-    data_url,
     exposed,
     region_colour,
     region_map,
@@ -40,9 +40,7 @@ def as_html(ladder: Ladder) -> str:
         _where(ladder),
         f"<h2>Picture, truth, and what lies between</h2>{_bar()}<div class='rows'>{_rows(ladder)}</div>",
     ]
-    head = f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{escape(title)}</title>'
-    viewport = '<meta name="viewport" content="width=device-width, initial-scale=1">'
-    return f"{head}{viewport}<style>{LADDER_STYLE}</style>{''.join(parts)}</html>\n"
+    return whole_page(title, LADDER_STYLE, "".join(parts))
 
 
 def _facts(ladder: Ladder) -> str:

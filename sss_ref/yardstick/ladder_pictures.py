@@ -1,12 +1,9 @@
 """The pictures of a ladder: each technique beside the truth, with one exposure, and what lies between."""
 
-import base64
-from io import BytesIO
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from sss_ref.pictures import tiles
 from sss_ref.pictures.png_file import srgb8
@@ -60,10 +57,3 @@ def region_map(ladder: Ladder) -> Pixels:
 def region_colour(name: str) -> str:
     """The colour of a region for a page; none for the whole body."""
     return "#{:02x}{:02x}{:02x}".format(*REGION_COLOURS[name]) if name in REGION_COLOURS else ""
-
-
-def data_url(pixels: Pixels) -> str:
-    """A picture, row 0 at the bottom, as what an <img> shows."""
-    file = BytesIO()
-    Image.fromarray(np.ascontiguousarray(pixels[::-1])).save(file, "PNG", optimize=True)
-    return "data:image/png;base64," + base64.b64encode(file.getvalue()).decode()

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from sss_ref.errors import DumpError
 from sss_ref.explanation.page import html as explained
+from sss_ref.pictures.self_contained import whole_page
 from sss_ref.validation.accept.rebased import Check
 from sss_ref.validation.report.report import Report
 from sss_ref.validation.report.report_data import as_json
@@ -46,9 +47,7 @@ def as_html(report: Report, title: str) -> str:
         _section("What metrics of pictures say", _list(map(str, report.likeness))),
         _section("Where the time went", _chips(_times(report))),
     ]
-    head = f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{escape(title)}</title>'
-    viewport = '<meta name="viewport" content="width=device-width, initial-scale=1">'
-    return f"{head}{viewport}<style>{STYLE}</style>{''.join(parts)}</html>\n"
+    return whole_page(title, STYLE, "".join(parts))
 
 
 def _section(heading: str, content: str) -> str:

@@ -1,12 +1,11 @@
 """The buffer that is wrong, in pictures: as drawn, as it should be, each pixel's outcome, and how far off it is."""
 
-import base64
 from collections.abc import Iterator
-from io import BytesIO
 
 import numpy as np
 
 from sss_ref.pictures import tiles
+from sss_ref.pictures.self_contained import data_url
 from sss_ref.validation.accept.rebased import Check
 from sss_ref.validation.verdict.outcomes import (
     AMBIGUOUS,
@@ -48,12 +47,15 @@ def pictures(check: Check) -> Iterator[tuple[str, str]]:
     step = -(-max(check.where.shape) // LARGEST_SIDE)
     for caption, buffer in (("as drawn", np.nan_to_num(check.got)), ("as it should be", check.expected)):
         spread = tiles.value_range(buffer, check.where)
-        yield caption, _png(tiles.picture(check.buffer, buffer[::step, ::step], check.where[::step, ::step], spread))
-    yield "what became of each pixel", _png(_outcome_picture(check, step))
+        yield (
+            caption,
+            data_url(tiles.picture(check.buffer, buffer[::step, ::step], check.where[::step, ::step], spread)),
+        )
+    yield "what became of each pixel", data_url(_outcome_picture(check, step))
     if check.covered is not None:
-        yield "green must be covered, yellow may be", _png(COVERED[_most_in_blocks(check.covered, step)])
+        yield "green must be covered, yellow may be", data_url(COVERED[_most_in_blocks(check.covered, step)])
     if check.expected.dtype.kind == "f":
-        yield "how far off: dark far within its reach, bright far beyond", _png(_distance_picture(check, step))
+        yield "how far off: dark far within its reach, bright far beyond", data_url(_distance_picture(check, step))
 
 
 def _outcome_picture(check: Check, step: int) -> np.ndarray:
@@ -82,12 +84,3 @@ def _most_in_blocks(values: np.ndarray, step: int) -> np.ndarray:
     rows, columns = (-(-side // step) for side in values.shape)
     padding = [(0, count * step - side) for count, side in zip((rows, columns), values.shape, strict=True)]
     return np.pad(values, padding, mode="edge").reshape(rows, step, columns, step).max(axis=(1, 3))
-
-
-def _png(pixels: np.ndarray) -> str:
-    """A data URL; row 0 is at the bottom."""
-    from PIL import Image
-
-    file = BytesIO()
-    Image.fromarray(np.ascontiguousarray(pixels[::-1])).save(file, "PNG", optimize=True)
-    return "data:image/png;base64," + base64.b64encode(file.getvalue()).decode()
