@@ -67,14 +67,6 @@ def ordered(numbers: np.ndarray) -> np.ndarray:
     return np.where(bits < 0, -SIGN - bits, bits)
 
 
-def float32_within(low: np.ndarray, high: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The least and the largest float32 between float64 ends; the least above the largest where there is none."""
-    with np.errstate(over="ignore"):
-        least, most = low.astype(np.float32), high.astype(np.float32)
-    least = np.where(least < low, np.nextafter(least, np.float32(np.inf)), least)
-    return least, np.where(most > high, np.nextafter(most, np.float32(-np.inf)), most)
-
-
 def _farthest(middle: np.ndarray, reach: np.ndarray, side: int) -> np.ndarray:
     """The float32 farthest to one side whose distance from the middle, in float64, is at most the reach: bisected."""
     end = np.where(np.isinf(reach) & np.isfinite(middle), np.float32(side * np.inf), middle)

@@ -8,6 +8,7 @@ import numpy as np
 from sss_ref.interpret.work import uniform_value
 from sss_ref.language.layout import CHANNELS
 from sss_ref.language.pipeline import MESH_ATTRIBUTES, Pass
+from sss_ref.numerics.inward import float32_within
 from sss_ref.raster.interpolate import interpolate_arrays
 from sss_ref.rendering.draw import varying_columns
 from sss_ref.rendering.result import Result
@@ -17,7 +18,6 @@ from sss_ref.validation.accept.dumped import Drawing
 from sss_ref.validation.accept.rasterizer.candidates import FAR
 from sss_ref.validation.accept.rasterizer.interpolation import interpolation_slack
 from sss_ref.validation.accept.rasterizer.visible import Visible
-from sss_ref.webgl.allowed import float32_within
 from sss_ref.webgl.exams import WEBGL
 from sss_ref.webgl.reference_draw import ReferenceDraw, reference_draw
 

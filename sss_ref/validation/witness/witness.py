@@ -10,6 +10,7 @@ from sss_ref.dump.loss import Loss
 from sss_ref.interpret.intervals.enclosing import CONDITION, WHICH_TEXEL
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.language.layout import CHANNELS, dtype_of
+from sss_ref.numerics.inward import float32_within
 from sss_ref.validation.accept.known import Known
 from sss_ref.validation.accept.rebased import Check
 from sss_ref.validation.accept.storage import moved
@@ -105,7 +106,4 @@ def within(expected: np.ndarray, reach: np.ndarray) -> tuple[np.ndarray, np.ndar
         low, high = (end.astype(np.int32) for end in whole)
         return low, high
     exact = expected.astype(np.float64)
-    low, high = (exact + way * reach for way in (-1, 1))
-    least, most = low.astype(np.float32), high.astype(np.float32)
-    up, down = np.float32(np.inf), np.float32(-np.inf)
-    return np.where(least < low, np.nextafter(least, up), least), np.where(most > high, np.nextafter(most, down), most)
+    return float32_within(exact - reach, exact + reach)
