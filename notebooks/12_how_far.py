@@ -22,11 +22,9 @@
 from types import SimpleNamespace
 
 import numpy as np
-from skimage.color import deltaE_ciede2000, rgb2lab
 
 import sss_ref
 from sss_ref.course import checks, diffusion_figures, figures, small_scenes
-from sss_ref.pictures.png_file import srgb8
 from sss_ref.truth.chandrasekhar import diffuse_half_space_reflectance
 from sss_ref.truth.material_fit import fitted_material
 from sss_ref.truth.media import volumes
@@ -34,6 +32,7 @@ from sss_ref.truth.media import volumes
 # %%
 from sss_ref.truth.radiance import nothing_gathered
 from sss_ref.truth.tracing import Tracing
+from sss_ref.yardstick.color_difference import color_difference
 
 # %% [markdown]
 # ## The body
@@ -105,8 +104,8 @@ def in_squares(image):
 
 
 def delta_e(image, other, of):
-    labs = (rgb2lab(srgb8(in_squares(each * of.exposure).astype(np.float32))) for each in (image, other))
-    return deltaE_ciede2000(*labs)[in_squares(of.drawn)[..., 0] == 1].mean()
+    shown = (in_squares(each * of.exposure) for each in (image, other))
+    return color_difference(*shown)[in_squares(of.drawn)[..., 0] == 1].mean()
 
 
 noise = delta_e(*(half.mean for half in known.halves), known) / 2  # of their mean: half of what is between them
