@@ -7,6 +7,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from sss_ref.language.names import Name
 from sss_ref.rendering.fold import render
 from sss_ref.scene.scene import Scene
 from sss_ref.truth.media import Volumes
@@ -71,28 +72,27 @@ class Regions:
 
     @cached_property
     def _buffers(self) -> Mapping[str, NDArray[np.generic]]:
-        names = ["coverage", "position_world", "normal_world", *self._of_lights("directly_lit", "thickness")]
+        per_light = [*self._of_lights("directly_lit"), *self._of_lights("thickness")]
+        names = ["coverage", "position_world", "normal_world", *per_light]
         return render(self.scene, keep=[*names, "uv"] if self.scene.mesh.uvs is not None else names).buffers
 
-    def _of_lights(self, *names: str) -> list[str]:
-        return [f"{name}{suffix}" for name in names for suffix in self._suffixes]
-
-    @property
-    def _suffixes(self) -> list[str]:
+    def _of_lights(self, base: str) -> list[str]:
+        """The buffer of each light."""
         count = len(self.scene.lights)
-        return [""] if count == 1 else [f"_{number}" for number in range(1, count + 1)]
+        return [str(Name(base, light)) for light in (range(1, count + 1) if count > 1 else [0])]
 
     @cached_property
     def _lights(self) -> list[tuple[FloatArray, Mask, FloatArray]]:
         """Of each light N.L, whether it reaches a point, and its way through the body, mm; each (H, W)."""
         points, normals = (self._buffers[name].astype(np.float64) for name in ("position_world", "normal_world"))
         found = []
-        for light, suffix in zip(self.scene.lights, self._suffixes, strict=True):
+        named = zip(self._of_lights("directly_lit"), self._of_lights("thickness"), strict=True)
+        for light, (lit, thickness) in zip(self.scene.lights, named, strict=True):
             parallel = light.view.lens.is_parallel
             towards = -light.view.direction if parallel else light.position - points
             towards = towards / np.maximum(np.linalg.norm(towards, axis=-1, keepdims=True), 1e-30)
-            way = self._buffers[f"thickness{suffix}"].astype(np.float64) * self.scene.settings.mm_per_unit
-            found.append(((normals * towards).sum(axis=-1), self._buffers[f"directly_lit{suffix}"] != 0, way))
+            way = self._buffers[thickness].astype(np.float64) * self.scene.settings.mm_per_unit
+            found.append(((normals * towards).sum(axis=-1), self._buffers[lit] != 0, way))
         return found
 
     @property
