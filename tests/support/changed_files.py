@@ -13,8 +13,6 @@ import changed_bytes
 from changed_values import TEXT_CHANGES, nested, picked, toml_text, tree_changed
 from gltf_files import glb
 
-TEXTS = (".toml", ".obj", ".mtl", ".off", ".gltf", ".json")
-
 
 def changed(rng, name, data):
     """The bytes of a file, `name` by its suffix, with one place changed, and what was done."""
