@@ -154,6 +154,12 @@ def test_sqrt_errs_no_more_than_its_two_operations(x, off):
         assert exact.low <= value <= exact.high <= exact.low + 4 * unit
 
 
+def test_sqrt_errs_no_more_than_its_own_bound():
+    """Where the quotient may err by more: the root 1 by 6.5 ULP, and outward to float32, half an ULP apart below 1."""
+    for looser in (Bounded(divide_ulp=64), Bounded(inversesqrt_ulp=64)):
+        assert ends_of(looser.sqrt(scalar(1))) == (1 - 14 * 2.0**-24, 1 + 7 * 2.0**-23)
+
+
 @given(x=st.one_of(st.floats(2.0**-20, 2.0**20, width=32), st.floats(0.46875, 2.125, width=32)), off=st.floats(-1, 1))
 @settings(max_examples=300)
 def test_log2_within_its_bounds(x, off):
@@ -321,6 +327,21 @@ def test_a_component_of_a_unit_vector_is_as_wide_as_the_box_makes_it():
         assert ((low <= got.low + rounding) & (got.high - rounding <= high))[far].all()
 
 
+def test_the_vector_zero_made_unit_is_zero():
+    with np.errstate(all="ignore"):
+        assert [ends_of(x) for x in VULKAN.normalize([scalar(0)] * 3)] == [(0, 0)] * 3
+
+
+def test_a_component_of_a_unit_vector_errs_by_as_much_however_short_its_length_comes_out():
+    """The length may err by an eighth, so a component's own error is a larger share of it."""
+    arithmetic = Bounded(relative=2.0**-4)
+    (got,) = arithmetic.normalize([scalar(3)])
+    low, high = ends_of(got.factor)
+    own = high * 2.0**-4
+    assert low < 0.875 and got.low == pytest.approx(low - own, rel=2.0**-19)
+    assert got.high == pytest.approx(high * (1 + own / low), rel=2.0**-19)
+
+
 def test_normalize_by_an_inverse_root_that_errs_more_than_the_root():
     arithmetic = Bounded(sqrt_ulp=0.5, divide_ulp=0.5, inversesqrt_ulp=64)
     (got,) = arithmetic.normalize([scalar(3)])
@@ -417,7 +438,10 @@ def test_ieee_powers_of_intervals_reach_from_corner_to_corner():
     assert ends_of(Ieee().pow(of((0.5, 2)), of((-1, 3)))) == (0.125, 8)
     with np.errstate(all="ignore"):
         assert ends_of(Ieee().divide(scalar(1), scalar(0))) == (np.inf, np.inf)
-        assert ends_of(Ieee().divide(scalar(1), of((-1, 1)))) == (-np.inf, np.inf)
+        for around_zero in [(-1, 1), (-0.5, 0.5), (0, 1), (-1, 0)]:
+            assert ends_of(Ieee().divide(scalar(1), of(around_zero))) == (-np.inf, np.inf)
+    assert ends_of(Ieee().divide(scalar(1), of((0.5, 2)))) == (0.5, 2)
+    assert ends_of(Ieee().divide(scalar(1), of((-2, -0.5)))) == (-2, -0.5)
 
 
 @pytest.mark.parametrize(

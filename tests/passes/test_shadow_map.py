@@ -99,6 +99,12 @@ def test_back_point():
     assert call(back_point, **inputs, shadow_valid=False) == ((0, 0, -4), 0)
 
 
+def test_back_point_on_a_slant():
+    # From (3, 0, 0) along (-3, 0, -4)/5; half of the way of 5 is left.
+    inputs = {"position_world": (0, 0, -4), "light_position": (3, 0, 0), "stored_distance": 2.5}
+    assert call(back_point, **inputs, shadow_valid=True) == ((1.5, 0, -2), 2.5)
+
+
 def test_back_point_parallel():
     # The rays go down, 5 units from the plane z = 1 to the fragment; the surface lies 3 from it: 2 are left.
     inputs = {
