@@ -66,6 +66,13 @@ def test_translation_rotation_scale(tmp_path):
     assert volume(loaded) == pytest.approx(24 / 6)
 
 
+def test_a_rotation_about_no_axis_of_the_coordinates(tmp_path):
+    """By hand: 1 - 2(yy + zz) = .64, 2(xy + zw) = .6, 2(xz - yw) = -.48 is where x goes, and so on."""
+    loaded = placed([{"rotation": [0.1, 0.3, 0.3, 0.9]}]).loaded(tmp_path)
+    turned = np.float32([[0, 0, 0], [0.64, 0.6, -0.48], [-0.48, 0.8, 0.36], [0.6, 0, 0.8]])
+    assert loaded.positions == pytest.approx(turned, abs=1e-6)
+
+
 def test_matrix_is_stored_by_columns(tmp_path):
     matrix = [0, 2, 0, 0, -3, 0, 0, 0, 0, 0, 4, 0, 1, 2, 3, 1]
     loaded = placed([{"matrix": matrix}]).loaded(tmp_path)
