@@ -189,7 +189,7 @@ class Baselines:
         start = time.monotonic()
         failure = failure_of(tests, self._checkout, self._limit)
         if failure:
-            print(f"tests that, of the package as it is, {failure}: {tests}", flush=True)
+            print(f"{tests}: of the package as it is they {failure}", flush=True)
         return 0.0 if failure else time.monotonic() - start
 
 
@@ -215,7 +215,7 @@ def failure_of(tests: str, checkout: Path, limit: float) -> str:
     except subprocess.TimeoutExpired:
         return f"take over {limit:.0f} s"
     failed = [line for line in done.stdout.splitlines() if line.startswith(("FAILED", "ERROR"))]
-    return "" if done.returncode == 0 else " ".join(["fail", *failed[:1]])
+    return "" if done.returncode == 0 else ": ".join(["fail", *failed[:1]])
 
 
 if __name__ == "__main__":
