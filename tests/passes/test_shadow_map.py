@@ -21,14 +21,14 @@ DISTANCES = np.float32([[1, 2, 3, 4], [5, 6, 7, 8]])  # row 0 is the bottom
 FULL = np.zeros((2, 4), np.int32)
 
 
-def look_up(stage, position, triangles=FULL, inset=1.0):
+def look_up(stage, position, triangles=FULL, inset=1.0, distances=DISTANCES, clip_from_world=CLIP_FROM_WORLD):
     return call(
         stage,
         position_world=position,
         light_position=(0, 0, 0),
-        light_clip_from_world=CLIP_FROM_WORLD,
+        light_clip_from_world=clip_from_world,
         lookup_inset=inset,
-        light_distance=DISTANCES,
+        light_distance=distances,
         light_triangle=triangles,
     )
 
@@ -90,6 +90,26 @@ def test_shadow_lookup_bilinear():
 def test_shadow_lookup_bilinear_at_an_outline_reads_the_nearest():
     outline = np.where(DISTANCES == 2, -1, 0).astype(np.int32)
     assert look_up(shadow_lookup_bilinear, (0, 0, -2), outline) == ((0.5, 0.5), True, 7)
+
+
+@pytest.mark.parametrize(("stage", "stored"), [(shadow_lookup_nearest, 8), (shadow_lookup_bilinear, 5.5)])
+def test_the_view_of_a_light_elsewhere(stage, stored):
+    # The view is moved by 1: clip = (x - 1, y, ...), so (2, 0, -2) falls on uv (.75, .5), between 3, 4, 7 and 8.
+    moved = [[1, 0, 0, -1], *CLIP_FROM_WORLD[1:]]
+    assert look_up(stage, (2, 0, -2), clip_from_world=moved) == ((0.75, 0.5), True, stored)
+
+
+@pytest.mark.parametrize("missing", [(1, 2), (2, 1), (2, 2)])  # row and column
+def test_each_of_the_four_texels_may_be_the_outline(missing):
+    # 1 + column + 4*row, at 4*.4375 - .5 = 1.25 in both: 1 + 1.25 + 5; the nearest, of row 1 and column 1, has 6.
+    distances = np.arange(1, 17, dtype=np.float32).reshape(4, 4)
+    four_alone = np.full((4, 4), -1, np.int32)
+    four_alone[1:3, 1:3] = 0
+    uv, position = (0.4375, 0.4375), (-0.25, -0.25, -2)
+    assert look_up(shadow_lookup_bilinear, position, four_alone, distances=distances) == (uv, True, 7.25)
+    outline = np.zeros((4, 4), np.int32)
+    outline[missing] = -1
+    assert look_up(shadow_lookup_bilinear, position, outline, distances=distances) == (uv, True, 6)
 
 
 def test_back_point():
