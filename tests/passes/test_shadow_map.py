@@ -137,13 +137,13 @@ def test_back_point_parallel():
     assert call(back_point_parallel, **inputs, shadow_valid=False) == ((7, 0, -4), 0)
 
 
-def lit_slope(normal, stored, position=(0, 0, -4), bias_abs=0.0):
+def lit_slope(normal, stored, position=(0, 0, -4), bias_abs=0.0, light=(0, 0, 0), clip_from_world=CLIP_FROM_WORLD):
     return call(
         directly_lit_slope,
         position_world=position,
         normal_world=normal,
-        light_position=(0, 0, 0),
-        light_clip_from_world=CLIP_FROM_WORLD,
+        light_position=light,
+        light_clip_from_world=clip_from_world,
         light_texel_size=0.125,
         stored_distance=stored,
         bias_abs=bias_abs,
@@ -172,6 +172,13 @@ def lit_slope(normal, stored, position=(0, 0, -4), bias_abs=0.0):
 )
 def test_directly_lit_slope(normal, behind, lit):
     assert lit_slope(normal, 4 - behind) == (lit,)
+
+
+def test_directly_lit_slope_from_a_light_elsewhere():
+    # The light is at z = 1, so w = 1 - z: 4 as above, and the bias .75.
+    above = {"light": (0, 0, 1), "clip_from_world": [*CLIP_FROM_WORLD[:3], [0, 0, -1, 1]]}
+    assert lit_slope((0, 0, 1), 4 - 0.75, (0, 0, -3), **above) == (True,)
+    assert lit_slope((0, 0, 1), 4 - 0.8, (0, 0, -3), **above) == (False,)
 
 
 def test_directly_lit_slope_adds_the_constant_bias():
