@@ -134,6 +134,13 @@ def test_functions_within_their_bounds(name, x, off):
         assert got.high - got.low <= (4 * bound(x) + 4) * float(ulp(np.float64(float(value))))
 
 
+def test_functions_err_by_their_bounds_and_what_rounds_outward():
+    """At a power of 2, below which float32 is twice as dense: 3 + 2*2 ULP of 4, 3 of 4, 3 of 1."""
+    assert ends_of(VULKAN.exp2(scalar(2))) == (4 - 15 * 2.0**-22, 4 + 8 * 2.0**-21)
+    assert ends_of(VULKAN.log2(scalar(16))) == (4 - 7 * 2.0**-22, 4 + 4 * 2.0**-21)
+    assert ends_of(VULKAN.exp(scalar(0))) == (1 - 7 * 2.0**-24, 1 + 4 * 2.0**-23)
+
+
 def off_by(exact, ulps):
     """A number that many ULP away."""
     return exact + ulps * float(ulp(np.float64(float(exact))))
