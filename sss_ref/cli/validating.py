@@ -88,12 +88,13 @@ def validate(
     with progress("reading") as show:
         clock = Clock(show)
         with clock.phase("reading"):
-            given = None if by_content else _drawn(loaded, dump) if run_glsl else _dumped(loaded, dump, origin)
+            drawing = None if by_content else _drawn(loaded, dump) if run_glsl else _dumped(loaded, dump, origin)
             only = _judged_pixels(loaded, region, exclude)
         with clock.phase("rendering"):
             oracle = render(loaded, execution.interpreter, execution.threads, on_pass=lambda name: show(f"pass {name}"))
-        with clock.phase("recognising"):
-            drawing = given or _recognized(oracle, dump)
+        if drawing is None:
+            with clock.phase("recognising"):
+                drawing = _recognized(oracle, dump)
         found = judge(oracle, drawing, only, profile, haste.scope(report is not None), clock)
         if metrics:
             with clock.phase("metrics"):

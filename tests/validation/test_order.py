@@ -3,7 +3,7 @@
 from package_sources import circles, import_graph
 
 ROOM = "sss_ref.validation."
-ORDER = ("accept", "verdict", "cause", "report", "stage_by_stage")
+ORDER = ("accept", "verdict", "cause", "witness", "report", "stage_by_stage")
 ASIDE = ("clock", "profile_file", "scope")  # they need none of the others
 
 
