@@ -114,6 +114,12 @@ def test_a_quotient_by_what_may_be_zero_or_out_of_range_is_anything():
             assert ends_of(VULKAN.divide(scalar(1), of((low, high)))) == (-np.inf, np.inf)
 
 
+@pytest.mark.parametrize("y", [2.0**-126, -(2.0**-126), 2.0**126, -(2.0**126)])
+def test_a_quotient_by_the_least_and_the_largest_denominator_is_defined(y):
+    low, high = ends_of(VULKAN.divide(scalar(1), scalar(y)))
+    assert -np.inf < low <= 1 / y <= high < np.inf
+
+
 PRECISE = {
     "exp": (VULKAN.exp, mpmath.exp, lambda x: 3 + 2 * abs(x)),
     "exp2": (VULKAN.exp2, lambda x: mpmath.power(2, x), lambda x: 3 + 2 * abs(x)),
