@@ -3,19 +3,17 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
 from sss_ref.errors import ShaderError
 from sss_ref.errors.text_file import text_of
 from sss_ref.gl import context as opengl
 from sss_ref.gl.drawing import draw_pass as draw_by_opengl
 from sss_ref.gl.shaders import Files, listed
 from sss_ref.language.pipeline import Pass
+from sss_ref.rendering.draw import Buffers
 from sss_ref.scene.scene import Scene
 from sss_ref.webgpu import adapter as webgpu
 from sss_ref.webgpu.painting import draw_pass as draw_by_webgpu
 
-Buffers = Mapping[str, np.ndarray]
 Draw = Callable[[Scene, Pass, Buffers, Mapping[str, Files]], Buffers]
 GLSL, WGSL = "glsl", "wgsl"
 WGSL_ALONE = ("@fragment", "@vertex")  # words that begin the entry points of its shaders

@@ -29,6 +29,7 @@ def witness(
 
     Exit code 1 if it is wrong, 2 if this version computes the stage otherwise than the one that wrote the file.
     """
+    from sss_ref.validation.verdict.outcomes import FAIL, OUTCOMES
     from sss_ref.validation.witness.recalling import Standing, recalled
     from sss_ref.validation.witness.stand_alone import write_stand_alone
     from sss_ref.validation.witness.witness_record import read_record
@@ -41,7 +42,7 @@ def witness(
         out.print(f"{write_stand_alone(found, glsl)}: green where the stage is right", markup=False)
     if run_glsl:
         _run(found)
-    wrong = found.outcome == "fail"
+    wrong = found.outcome == OUTCOMES[FAIL]
     if standing.other:
         out.print(f"other: {standing.other}; by the stage here it is {'wrong' if wrong else 'right'}", markup=False)
         return BAD_INPUT

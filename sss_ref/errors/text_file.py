@@ -1,4 +1,4 @@
-"""Text files that users hand over: regular ones of a bounded size, and TOML in them; what is wrong in one line."""
+"""Text files that users hand over or name: regular ones of a bounded size, TOML in them; what is wrong in one line."""
 
 import re
 import tomllib
@@ -42,6 +42,16 @@ def text_of(path: Path, expected: str, error_class: type[SssRefError]) -> str:
     except UnicodeDecodeError as error:
         came = f"a byte that is no UTF-8 at byte {error.start}"
         raise error_class(told(str(path), f"{expected} in UTF-8", came, "save it as UTF-8")) from None
+
+
+def write_text(path: Path, text: str, error_class: type[SssRefError]) -> Path:
+    """Write a text file; returns its path. Raises `error_class` where it cannot be written."""
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        came = error.strerror or "none"
+        raise error_class(told(str(path), "a file that can be written", came, "choose another")) from None
+    return path
 
 
 def toml_of(path: Path, expected: str, error_class: type[SssRefError]) -> dict[str, Any]:

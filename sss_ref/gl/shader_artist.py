@@ -3,14 +3,11 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
 from sss_ref.gl.drawing import draw, draw_pass
 from sss_ref.gl.shaders import Files
 from sss_ref.language.pipeline import Pass
+from sss_ref.rendering.draw import Buffers
 from sss_ref.scene.scene import Scene
-
-Buffers = Mapping[str, np.ndarray]
 
 
 @dataclass(frozen=True)

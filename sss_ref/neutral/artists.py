@@ -1,17 +1,13 @@
 """Who draws a scene: the reference itself, or anything that draws as it does."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Protocol
 
-import numpy as np
-
 from sss_ref.language.pipeline import Pass
-from sss_ref.rendering.draw import draw
+from sss_ref.rendering.draw import Buffers, draw
 from sss_ref.rendering.fold import machine_of, render, shaded
 from sss_ref.scene.scene import Scene
-
-Buffers = Mapping[str, np.ndarray]
 
 
 class Artist(Protocol):

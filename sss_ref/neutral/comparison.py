@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from sss_ref.language.names import Name
-from sss_ref.neutral.artists import Buffers
+from sss_ref.rendering.draw import Buffers
 from sss_ref.results.diff import differing_pixels, first_difference
 
 Window = tuple[slice, slice]  # rows, columns

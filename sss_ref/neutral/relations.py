@@ -12,9 +12,10 @@ import numpy as np
 from sss_ref.language.names import Name
 from sss_ref.language.pipeline import Pass
 from sss_ref.neutral import scene_changes
-from sss_ref.neutral.artists import Artist, Buffers
+from sss_ref.neutral.artists import Artist
 from sss_ref.neutral.comparison import Pair, pairs
 from sss_ref.passes.buffers import described
+from sss_ref.rendering.draw import Buffers
 from sss_ref.scene.scene import Scene
 
 GROWN, MOVED = (13, 9), (5, 3)  # columns and rows: of what is added to a picture, of where the old one then lies

@@ -6,7 +6,7 @@ import pytest
 
 from sss_ref.dump.mapping import read_mapping
 from sss_ref.errors import DumpError, ProfileError
-from sss_ref.errors.text_file import BYTE_LIMIT, text_of
+from sss_ref.errors.text_file import BYTE_LIMIT, text_of, write_text
 from sss_ref.validation.profile_file import profile_of
 
 READERS = [(read_mapping, DumpError), (profile_of, ProfileError)]
@@ -46,3 +46,11 @@ def test_a_text_comes_through(tmp_path):
     assert text_of(tmp_path / "x", "a text", DumpError) == "é" * 10
     with pytest.raises(DumpError, match="expected a text, got No such file or directory; check the path"):
         text_of(tmp_path / "y", "a text", DumpError)
+
+
+def test_a_text_is_written_or_refused_in_one_line(tmp_path):
+    path = write_text(tmp_path / "a.txt", "ä\n", DumpError)
+    assert path.read_bytes() == b"\xc3\xa4\n"
+    with pytest.raises(DumpError) as error:
+        write_text(tmp_path, "a", DumpError)
+    assert str(error.value) == f"{tmp_path}: expected a file that can be written, got Is a directory; choose another"

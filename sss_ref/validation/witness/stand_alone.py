@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from sss_ref.errors import DumpError
-from sss_ref.errors.wording import told
+from sss_ref.errors.text_file import write_text
 from sss_ref.interpret.shader import GLSL, Dialect, Library
 from sss_ref.interpret.shader.text import braced, comment, joined
 from sss_ref.language.layout import CHANNELS
@@ -60,12 +60,7 @@ def write_stand_alone(witness: Witness, path: Path) -> Path:
     Raises DumpError where it cannot be written.
     """
     shader = stand_alone(witness)
-    try:
-        path.write_text(RUNNER.format(shader=shader) if path.suffix == RUNNERS else shader, encoding="utf-8")
-    except OSError as error:
-        came = error.strerror or "none"
-        raise DumpError(told(str(path), "a file that can be written", came, "choose another")) from None
-    return path
+    return write_text(path, RUNNER.format(shader=shader) if path.suffix == RUNNERS else shader, DumpError)
 
 
 def _from_words(dialect: Dialect) -> Dialect:

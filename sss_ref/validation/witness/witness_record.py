@@ -6,7 +6,7 @@ from typing import Annotated, Any, Final, Literal
 from pydantic import Field, ValidationError
 
 from sss_ref.errors import DumpError
-from sss_ref.errors.text_file import text_of
+from sss_ref.errors.text_file import text_of, write_text
 from sss_ref.errors.wording import described, told
 from sss_ref.scene_file.quantities import Table
 
@@ -78,12 +78,7 @@ class WitnessRecord(Table):
 
 def write_record(record: WitnessRecord, path: Path) -> Path:
     """Write the file; returns its path. Raises DumpError."""
-    try:
-        path.write_text(record.model_dump_json(exclude_defaults=True) + "\n", encoding="utf-8")
-    except OSError as error:
-        came = error.strerror or "none"
-        raise DumpError(told(str(path), "a file that can be written", came, "choose another")) from None
-    return path
+    return write_text(path, record.model_dump_json(exclude_defaults=True) + "\n", DumpError)
 
 
 def read_record(path: Path) -> WitnessRecord:
