@@ -9,8 +9,10 @@ from pydantic.fields import FieldInfo
 
 from sss_ref.dump import mapping
 from sss_ref.scene_file import diffusion, quantities, scattering, settings
+from sss_ref.scene_file.key_texts import key_texts
 from sss_ref.scene_file.presets import PRESETS
 from sss_ref.scene_file.profiles import PROFILES
+from sss_ref.scene_file.quantities import Table
 
 WORDS = {  # how a reader calls the type of a value
     str: "text",
@@ -55,12 +57,13 @@ WORDS = {  # how a reader calls the type of a value
 }
 
 
-def entry(name: str, key: str, field: FieldInfo, hint: Any, more: list[tuple[str, str]]) -> str:
-    """One key; more: options of its directive."""
+def entry(name: str, model: type[Table], key: str, hint: Any, more: list[tuple[str, str]]) -> str:
+    """One key of a model; more: options of its directive."""
     dotted = f"{name}.{key}" if name else key
-    assert field.description, f"{dotted}: expected a docstring below the field, got none; add it"
+    field, text = model.model_fields[key], key_texts(model)[key]
+    assert text, f"{dotted}: expected a docstring below the field, got none; add it"
     options = [("type", words(hint)), ("default", default(name, key, field)), *more]
-    return directive("confval", dotted, prose(field.description), options)
+    return directive("confval", dotted, prose(text), options)
 
 
 def words(hint: Any) -> str:

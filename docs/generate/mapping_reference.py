@@ -27,6 +27,5 @@ def page() -> str:
     parts = [HEAD]
     for name, model in (("", MappingFile), ("buffers.NAME", BufferTable)):
         hints = get_type_hints(model, include_extras=True)
-        keys = {key: field for key, field in model.model_fields.items() if key != "buffers"}
-        parts += [entry(name, key, field, hints[key], []) for key, field in keys.items()]
+        parts += [entry(name, model, key, hints[key], []) for key in model.model_fields if key != "buffers"]
     return "\n\n".join(parts) + "\n"

@@ -6,10 +6,10 @@ from typing import Any, get_type_hints
 
 from keys import entry, preset_value
 from markup import directive, prose, table
-from pydantic import BaseModel
 
 from sss_ref.scene_file import viewpoints
 from sss_ref.scene_file.presets import PRESETS
+from sss_ref.scene_file.quantities import Table
 from sss_ref.scene_file.reading import TABLES
 
 HEAD = """# Scene file reference
@@ -58,10 +58,10 @@ def sections() -> Iterator[str]:
 
 
 # What all types of a table have, which stands before them.
-SHARED: dict[tuple[Any, ...], type[BaseModel]] = {("camera",): viewpoints.Picture, ("lights",): viewpoints.LightTable}
+SHARED: dict[tuple[Any, ...], type[Table]] = {("camera",): viewpoints.Picture, ("lights",): viewpoints.LightTable}
 
 # The keys of a type that a type before it has: described once more, but indexed once.
-REPEATED: dict[type[BaseModel], set[str]] = {
+REPEATED: dict[type[Table], set[str]] = {
     viewpoints.LookAtCamera: set(viewpoints.OrbitCamera.model_fields),
     viewpoints.FreeCamera: {"fov_y"},
     viewpoints.OrthographicCamera: set(viewpoints.LookAtCamera.model_fields),
@@ -86,7 +86,7 @@ def dotted_keys() -> list[str]:
     return list(dict.fromkeys(key for key in dotted if key not in TABLES_AT_TOP))
 
 
-def section(heading: str, model: type[BaseModel], name: str, first: str, without: set[str]) -> Iterator[str]:
+def section(heading: str, model: type[Table], name: str, first: str, without: set[str]) -> Iterator[str]:
     """A table: its heading, what it is, and its keys but for some that stand elsewhere."""
     level = "###" if heading.startswith("type") else "##"
     yield f"{level} `{heading}`" if heading[0] in "[t" else f"{level} {heading}"
@@ -94,13 +94,13 @@ def section(heading: str, model: type[BaseModel], name: str, first: str, without
     if first:
         yield first
     hints = get_type_hints(model, include_extras=True)
-    for key, field in model.model_fields.items():
+    for key in model.model_fields:
         if key not in without:
             repeated = key in REPEATED.get(model, ())
-            yield entry(name, key, field, hints[key], [("no-index", "")] if repeated else [])
+            yield entry(name, model, key, hints[key], [("no-index", "")] if repeated else [])
 
 
-def summary(model: type[BaseModel]) -> str:
+def summary(model: type[Table]) -> str:
     """A model's docstring without the name of the table it begins with."""
     text = " ".join((inspect.getdoc(model) or "").split())
     told = text.split(": ", 1)[-1] if text.startswith("[") else text

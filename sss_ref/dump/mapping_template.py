@@ -11,6 +11,7 @@ from sss_ref.dump.mapping import BufferTable, MappingFile
 from sss_ref.dump.slots import Slot, slots_of
 from sss_ref.passes.buffers import described
 from sss_ref.scene.scene import Scene
+from sss_ref.scene_file.key_texts import key_texts
 
 WIDTH = 118  # characters of a line
 LETTERS = "RGBA"
@@ -24,7 +25,7 @@ REGISTERS = "What no target holds unless told to: the registers of the shaders, 
 def key_reference() -> str:
     """Every key of a mapping file in a paragraph of its own: its name, what it says, and its values if they are few."""
     return "\n\n".join(
-        f"{prefix}{key}: {field.description}{_choices(field.annotation)}"
+        f"{prefix}{key}: {key_texts(model)[key]}{_choices(field.annotation)}"
         for prefix, model in (("", MappingFile), ("buffers.NAME.", BufferTable))
         for key, field in model.model_fields.items()
     )

@@ -72,13 +72,13 @@ OneOrThree = Annotated[  # one number for all channels, or red, green and blue
 
 
 class Table(BaseModel):
-    """What all tables share."""
+    """What all tables share; what checks a table is built when one of its kind is read first."""
 
     model_config = ConfigDict(
         strict=True,
+        defer_build=True,
         extra="forbid",
         frozen=True,
         allow_inf_nan=False,
         validate_default=True,
-        use_attribute_docstrings=True,
     )

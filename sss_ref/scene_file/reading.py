@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
 from sss_ref.errors import SceneError
 from sss_ref.errors.text_file import toml_of
@@ -15,11 +15,12 @@ from sss_ref.scene_file import diffusion, scattering, settings, viewpoints
 from sss_ref.scene_file.bundled import bundled_settings, is_bundle
 from sss_ref.scene_file.layers import filled, is_overridden, overridden, override_paths
 from sss_ref.scene_file.presets import misfits
+from sss_ref.scene_file.quantities import Table
 from sss_ref.scene_file.shipped import scene_names, scene_path
 from sss_ref.scene_file.substances import materials_in, without_unit
 
 # Which model a table of the file has, by its keys: what is known there.
-TABLES: dict[KeyPath, type[BaseModel]] = {
+TABLES: dict[KeyPath, type[Table]] = {
     (): settings.SceneFile,
     ("mesh",): settings.MeshSettings,
     ("layers",): settings.LayerSettings,

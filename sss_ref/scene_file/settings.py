@@ -220,13 +220,14 @@ class SceneFile(Table):
     layers: Annotated[tuple[LayerSettings, ...], Field(strict=False), LAYERS] = ()
     camera: Camera
     lights: Annotated[tuple[LightSettings, ...], Field(strict=False), LIGHTS]
-    shadow_map: ShadowMap = ShadowMap()
-    phong: PhongSettings = PhongSettings()
+    # Defaults that nobody checks yet, or what checks them would be built although it is not used: SceneFile does.
+    shadow_map: ShadowMap = ShadowMap.model_construct()
+    phong: PhongSettings = PhongSettings.model_construct()
     translucency: TranslucencySettings
     blur: Blur
-    diffusion: Diffusion = Diffusion()
+    diffusion: Diffusion = Diffusion.model_construct()
     irradiance_map: IrradianceMap
-    output: Output = Output()
+    output: Output = Output.model_construct()
 
     @property
     def inner(self) -> "SceneFile | None":

@@ -3,10 +3,9 @@
 from types import NoneType
 from typing import Annotated, Any, Literal, get_args, get_origin, get_type_hints
 
-from pydantic import BaseModel
-
 from sss_ref.errors.wording import KeyPath
 from sss_ref.scene_file import diffusion, quantities, scattering, settings
+from sss_ref.scene_file.key_texts import key_texts
 from sss_ref.scene_file.profiles import PROFILES
 from sss_ref.scene_file.reading import TABLES
 from sss_ref.scene_file.shipped import mesh_names
@@ -60,12 +59,13 @@ def menu() -> list[dict[str, Any]]:
     return [{"path": path, "controls": _controls(path, model)} for path, model in TABLES.items()]
 
 
-def _controls(path: KeyPath, model: type[BaseModel]) -> list[dict[str, Any]]:
+def _controls(path: KeyPath, model: type[quantities.Table]) -> list[dict[str, Any]]:
     hints = get_type_hints(model, include_extras=True)
+    texts = key_texts(model)
     inner = {other[len(path)] for other in TABLES if len(other) > len(path) and other[: len(path)] == path}
     return [
-        {"key": key, "help": " ".join((field.description or "").split()), **control(path, key, hints[key])}
-        for key, field in model.model_fields.items()
+        {"key": key, "help": " ".join(texts[key].split()), **control(path, key, hints[key])}
+        for key in model.model_fields
         if key not in inner
     ]
 

@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 
+from sss_ref.scene_file.key_texts import key_texts
 from sss_ref.scene_file.layers import filled
 from sss_ref.scene_file.settings import MeshSettings, SceneFile
 
@@ -179,5 +180,11 @@ def test_every_parameter_is_explained():
     from sss_ref.scene_file.reading import TABLES
 
     for table in list(TABLES.values())[1:]:
-        unexplained = [name for name, field in table.model_fields.items() if not field.description]
-        assert set(unexplained) <= {"type"}
+        assert {name for name, text in key_texts(table).items() if not text} <= {"type"}
+
+
+@pytest.mark.parametrize("key", ["shadow_map", "phong", "diffusion", "output"])
+def test_tables_left_out_are_what_empty_ones_become(key):
+    default = SceneFile.model_fields[key].default
+    assert type(default).model_validate({}) == default
+    assert type(default).model_validate(default.model_dump()) == default
