@@ -25,7 +25,7 @@ AGAIN = "write the bundle again"
 class MeshRecord(BaseModel):
     """mesh.json: what the arrays do not say. has_uvs: whether uv is the mesh's, and not 0 for want of any."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, defer_build=True)
 
     name: str
     normals: Literal["file", "computed"]

@@ -7,7 +7,6 @@ order. It numbers the triangles in every buffer.
 from pathlib import Path
 
 from sss_ref.mesh.array_folder import is_array_folder, read_arrays
-from sss_ref.mesh.gltf.gltf_reader import read_gltf
 from sss_ref.mesh.joining import joined
 from sss_ref.mesh.part import refused
 from sss_ref.mesh.polygon_files import READERS, read_polygon_file
@@ -25,8 +24,11 @@ def load_mesh(path: Path) -> Mesh:
     if is_array_folder(path):
         return read_arrays(path)
     _check_file(path)
-    read = read_polygon_file if path.suffix.lower() in READERS else read_gltf
-    return joined(path, read(path))
+    if path.suffix.lower() in READERS:
+        return joined(path, read_polygon_file(path))
+    from sss_ref.mesh.gltf.gltf_reader import read_gltf  # it takes longer to load than many a mesh
+
+    return joined(path, read_gltf(path))
 
 
 def _check_file(path: Path) -> None:

@@ -23,7 +23,7 @@ MAPS = ("normal_map", "specular_map")  # pictures that it holds as arrays, as th
 class SceneOfBundle(BaseModel):
     """The whole file. source: what the scene was called. settings: its keys, as a scene file has them."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    model_config = ConfigDict(extra="forbid", frozen=True, defer_build=True)
 
     format: Literal["sss_ref scene 1"]
     rules_version: int

@@ -49,7 +49,7 @@ ComponentType = Annotated[Literal[5120, 5121, 5122, 5123, 5125, 5126], BeforeVal
 class Entry(BaseModel):
     """An object of the document, keys as the specification has them; others are passed over."""
 
-    model_config = ConfigDict(strict=True)
+    model_config = ConfigDict(strict=True, defer_build=True)
 
     table: ClassVar[str] = ""
     extensions: dict[str, Any] = {}
