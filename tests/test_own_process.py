@@ -33,7 +33,7 @@ def test_kernels_load_without_scipys_linear_algebra_if_it_is_left_out(before, lo
 import sys
 import numba
 import numpy as np
-from sss_ref.cache.blas import leave_out
+from sss_ref.cache.left_out import leave_out
 from sss_ref.numerics.scalar import exp_scalar
 {before}
 exp_scalar(np.float32(1))

@@ -83,7 +83,7 @@ def _until_broken(count: int, packed: bytes, left: deque[int]) -> Generator[Item
 
 def _begin() -> None:
     """Set up a process that renders: it ends with the one that has started it, however that ends."""
-    from sss_ref.cache.blas import leave_out
+    from sss_ref.cache.left_out import leave_out
 
     leave_out()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that was asked stops this one

@@ -10,7 +10,7 @@ NEW_OBJECTS = 100_000  # after which rubbish is looked for; Python's 700 do so h
 def run() -> NoReturn:
     """Run the command line and end the process with its exit code."""
     gc.set_threshold(NEW_OBJECTS)
-    from sss_ref.cache.blas import leave_out
+    from sss_ref.cache.left_out import leave_out
     from sss_ref.cli import main
 
     leave_out()
