@@ -1,9 +1,15 @@
-"""`sss-ref` as a process of its own: set up for a short run, and nobody else's SciPy is in its way."""
+"""`sss-ref` as a process of its own: set up for a short run, and nobody else's libraries are in its way."""
 
+import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
+
+import sss_ref
+
+ENVIRONMENT = {**os.environ, "PYTHONPATH": str(Path(sss_ref.__file__).parents[1])}
 
 RUN = """
 import gc, sys
@@ -17,8 +23,9 @@ except SystemExit as left:
 """
 
 
-def of_new_process(program):
-    return subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False)
+def of_new_process(program, folder=None):
+    command = [sys.executable, "-c", program]
+    return subprocess.run(command, cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, check=False)
 
 
 def test_the_exit_code_is_that_of_the_command_line():
@@ -26,21 +33,36 @@ def test_the_exit_code_is_that_of_the_command_line():
     assert of_new_process(RUN.format(arguments=["info", "nowhere.toml"])).returncode == 2
 
 
-@pytest.mark.parametrize(("before", "loads"), [("leave_out()", False), ("", True)])
-def test_kernels_load_without_scipys_linear_algebra_if_it_is_left_out(before, loads):
-    pytest.importorskip("scipy.linalg")
-    program = f"""
+LOADED = """
 import sys
-import numba
 import numpy as np
-from sss_ref.cache.left_out import leave_out
-from sss_ref.numerics.scalar import exp_scalar
 {before}
+import numba
+from sss_ref.numerics.scalar import exp_scalar
 exp_scalar(np.float32(1))
+print(*(name for name in ("scipy", "coverage", "yaml") if name in sys.modules), numba.config.DEBUG_ARRAY_OPT)
 numba.njit(lambda x: x + x)(1)  # what is compiled asks for all that numba knows
 print("scipy.linalg" in sys.modules)
-import scipy.linalg.cython_blas
+import coverage, scipy.linalg.cython_blas, yaml
 """
-    done = of_new_process(program)
+LEAVE_OUT = "from sss_ref.cache.left_out import leave_out; leave_out()"
+
+
+@pytest.mark.parametrize(
+    ("before", "settings", "loaded", "blas"),
+    [
+        ("", "", "scipy coverage yaml 0", "True"),
+        ("", "debug_array_opt: 1", "scipy coverage yaml 1", "True"),
+        (LEAVE_OUT, "", "0", "False"),
+        (LEAVE_OUT, "debug_array_opt: 1", "yaml 1", "False"),
+    ],
+)
+def test_kernels_load_without_what_numba_asks_for_if_it_is_left_out(before, settings, loaded, blas, tmp_path):
+    """Its settings are read all the same."""
+    for name in ("scipy.linalg", "coverage", "yaml"):
+        pytest.importorskip(name)
+    if settings:
+        (tmp_path / ".numba_config.yaml").write_text(settings)
+    done = of_new_process(LOADED.format(before=before), tmp_path)
     assert done.returncode == 0, done.stderr
-    assert done.stdout.split() == [str(loads)]
+    assert done.stdout.splitlines() == [loaded, blas]
