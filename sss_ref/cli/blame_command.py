@@ -27,7 +27,7 @@ def blame(
         ),
     ] = None,
     profile: Annotated[
-        str, Parameter(help="Accept what such a processor may give: ieee, vulkan, gl, mediump or a TOML file.")
+        str, Parameter(help="Accept what such a processor may give: ieee, vulkan, wgsl, gl, mediump or a TOML file.")
     ] = "vulkan",
     changes: Changes = NO_CHANGES,
 ) -> int:

@@ -11,7 +11,7 @@ from sss_ref.cli.console import DIFFERS, announce_compilation, err, out, progres
 from sss_ref.cli.import_command import tell_doubts
 from sss_ref.cli.options import KERNELS, NO_CHANGES, NO_HASTE, Changes, Execution, Haste
 from sss_ref.cli.verdicts import print_report
-from sss_ref.errors import DumpError
+from sss_ref.errors import DumpError, ShaderError
 from sss_ref.errors.wording import told
 
 if TYPE_CHECKING:
@@ -23,19 +23,23 @@ if TYPE_CHECKING:
     from sss_ref.validation.accept.dumped import Drawing
     from sss_ref.validation.report.report import Report
 
+RUN_GLSL, RUN_WGSL = "--run-glsl", "--run-wgsl"
+USUAL = {"": "vulkan", RUN_GLSL: "vulkan", RUN_WGSL: "wgsl"}  # what draws -> the profile
+
 
 def validate(
     scene: Annotated[str, Parameter(help="A scene file, or the name of a shipped scene.")],
     dump: Annotated[
         Path | None,
         Parameter(
-            help="A folder of buffers, a mapping file or a RenderDoc capture; with `--run-glsl` a folder of shaders "
-            "(camera.frag ...)."
+            help="A folder of buffers, a mapping file or a RenderDoc capture; with `--run-glsl` or `--run-wgsl` a "
+            "folder of shaders (camera.frag ...)."
         ),
     ] = None,
     /,
     *,
     run_glsl: Annotated[bool, Parameter(negative="", help="Draw the scene on this machine's OpenGL instead.")] = False,
+    run_wgsl: Annotated[bool, Parameter(negative="", help="Draw the scene on this machine's WebGPU instead.")] = False,
     auto: Annotated[
         bool, Parameter(negative="", help="Tell by what is in the files which buffers they are, not by their names.")
     ] = False,
@@ -48,8 +52,13 @@ def validate(
         Path | None, Parameter(help="A mask (PNG or NPY) of pixels not to judge.", show_default=False)
     ] = None,
     profile: Annotated[
-        str, Parameter(help="Accept what such a processor may give: ieee, vulkan, gl, mediump or a TOML file.")
-    ] = "vulkan",
+        str | None,
+        Parameter(
+            help="Accept what such a processor may give: ieee, vulkan, wgsl, gl, mediump or a TOML file; vulkan unless "
+            "given, with `--run-wgsl` wgsl.",
+            show_default=False,
+        ),
+    ] = None,
     report: Annotated[
         Path | None, Parameter(help="A folder for report.html and report.json.", show_default=False)
     ] = None,
@@ -80,7 +89,8 @@ def validate(
 
     if junit:
         checked_junit_file(junit)
-    by_content = auto or (is_capture(dump) and not run_glsl)
+    shown_by = _chosen(run_glsl, run_wgsl)
+    by_content = auto or (is_capture(dump) and not shown_by)
     loaded = load_scene(scene, **changes.overrides())
     if metrics:
         require_packages()
@@ -88,14 +98,14 @@ def validate(
     with progress("reading") as show:
         clock = Clock(show)
         with clock.phase("reading"):
-            drawing = None if by_content else _drawn(loaded, dump) if run_glsl else _dumped(loaded, dump, origin)
+            drawing = None if by_content else _read(loaded, dump, origin, shown_by)
             only = _judged_pixels(loaded, region, exclude)
         with clock.phase("rendering"):
             oracle = render(loaded, execution.interpreter, execution.threads, on_pass=lambda name: show(f"pass {name}"))
         if drawing is None:
             with clock.phase("recognising"):
                 drawing = _recognized(oracle, dump)
-        found = judge(oracle, drawing, only, profile, haste.scope(report is not None), clock)
+        found = judge(oracle, drawing, only, profile or USUAL[shown_by], haste.scope(report is not None), clock)
         if metrics:
             with clock.phase("metrics"):
                 found = replace(found, likeness=tuple(likeness(oracle, drawing.buffers)))
@@ -110,7 +120,7 @@ def validate(
     if witness:
         out.print(_written_witness(found, witness), markup=False)
     if not found.judged:
-        raise DumpError(_nothing_judged(found, "--run-glsl" if run_glsl else str(dump)))
+        raise DumpError(_nothing_judged(found, shown_by or str(dump)))
     return 0 if found.passed else DIFFERS
 
 
@@ -130,14 +140,28 @@ def _nothing_judged(found: "Report", where: str) -> str:
     return told(where, "a buffer with pixels to judge", found.nothing, "give other buffers, or more, or another view")
 
 
-def _drawn(scene: "Scene", shaders: Path | None) -> "Drawing":
-    from sss_ref.gl import device_name, draw
+def _chosen(run_glsl: bool, run_wgsl: bool) -> str:
+    """The option that says what draws, empty for none. Raises ShaderError for both."""
+    if run_glsl and run_wgsl:
+        raise ShaderError(told("validate", f"one of {RUN_GLSL} and {RUN_WGSL}", "both", "give one"))
+    return RUN_GLSL if run_glsl else RUN_WGSL if run_wgsl else ""
+
+
+def _read(scene: "Scene", given: Path | None, origin: Literal["top", "bottom"] | None, shown_by: str) -> "Drawing":
+    """What is to be judged: dumped, or drawn here."""
+    return _shown(scene, given, shown_by) if shown_by else _dumped(scene, given, origin)
+
+
+def _shown(scene: "Scene", shaders: Path | None, shown_by: str) -> "Drawing":
+    """What this machine draws, with the shaders of a folder if one is given."""
+    from sss_ref import gl, webgpu
     from sss_ref.gl.shaders import shader_folder
     from sss_ref.language.pipeline import REGISTERS
     from sss_ref.validation.accept.dumped import Drawing
 
+    draw, device = (gl.draw, gl.device_name) if shown_by == RUN_GLSL else (webgpu.draw, webgpu.adapter_name)
     buffers = draw(scene, shader_folder(shaders, scene.settings) if shaders else {}, keep=("all", REGISTERS))
-    return Drawing(buffers, device=device_name())
+    return Drawing(buffers, device=device())
 
 
 def _dumped(scene: "Scene", dump: Path | None, origin: Literal["top", "bottom"] | None) -> "Drawing":
@@ -159,7 +183,8 @@ def _recognized(oracle: "Result", dump: Path | None) -> "Drawing":
 
 def _given(dump: Path | None) -> Path:
     if dump is None:
-        raise DumpError("validate: expected a folder of buffers, a mapping file, or --run-glsl, got none; give one")
+        expected = f"a folder of buffers, a mapping file, {RUN_GLSL} or {RUN_WGSL}"
+        raise DumpError(told("validate", expected, "none", "give one"))
     return dump
 
 

@@ -44,7 +44,7 @@ def _profile_table() -> type[BaseModel]:
 
 
 def profile_of(name: str | os.PathLike[str]) -> Profile:
-    """The profile of a name ("ieee", "vulkan", "gl", "mediump") or of a TOML file.
+    """The profile of a name ("ieee", "vulkan", "wgsl", "gl", "mediump") or of a TOML file.
 
     A file names the profile that it is `based_on` ("vulkan" unless it says so) and gives what differs: keys of
     `Profile`, and in the table `bounds` keys of `Bounded`.

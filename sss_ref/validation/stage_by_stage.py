@@ -54,9 +54,9 @@ def validate(
     stored: buffer -> what its texture holds where that is less than float32: "float16", "unorm8", "unorm16", "srgb8";
     of a buffer that was not dumped too, and of a picture among the uniforms (`albedo_map`).
     only: bool (H, W) of the camera's size, the pixels of its buffers that are judged.
-    profile: the processor that may have drawn them, by name ("ieee", "vulkan", "gl", "mediump"), as a TOML file or as a
-    Profile; accepted is what it may give. explain: whether to look for what would explain a failure, and for how small
-    an error would have been seen; or a `Scope`, which may also choose a single stage.
+    profile: the processor that may have drawn them, by name ("ieee", "vulkan", "wgsl", "gl", "mediump"), as a TOML
+    file or as a Profile; accepted is what it may give. explain: whether to look for what would explain a failure, and
+    for how small an error would have been seen; or a `Scope`, which may also choose a single stage.
     Raises SceneError where a buffer is not one of the scene, or not of its type and size, and for an unknown stage, and
     DumpError as `read_dump` does.
     """

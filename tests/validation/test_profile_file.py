@@ -45,7 +45,10 @@ def test_bounds_on_top_of_ieee_are_vulkans_where_the_file_is_silent(read):
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ('based_on = "dx"', 'based_on: expected "ieee", "vulkan", "gl" or "mediump", got "dx"; choose one of these'),
+        (
+            'based_on = "dx"',
+            'based_on: expected "ieee", "vulkan", "wgsl", "gl" or "mediump", got "dx"; choose one of these',
+        ),
         ("snap = 3", 'snap: expected "nearest" or "any", got 3; choose one of these'),
         (
             'contraction = "none"',
@@ -75,5 +78,5 @@ def test_all_that_is_wrong_is_told_at_once(read):
 
 
 def test_a_file_that_is_not_there(tmp_path):
-    with pytest.raises(ProfileError, match=r"expected a profile file or a profile \(ieee, vulkan, gl, mediump\)"):
+    with pytest.raises(ProfileError, match=r"expected a profile file or a profile \(ieee, vulkan, wgsl, gl, mediump\)"):
         profile_of(tmp_path / "none.toml")

@@ -1,7 +1,5 @@
 """Whole scenes on lavapipe beside the oracle: another compiler and another API, which must give what is allowed."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from lavapipe import LAVAPIPE, needs_lavapipe
@@ -9,7 +7,6 @@ from scenes import around, sphere, two_squares, written
 
 from sss_ref import webgpu
 from sss_ref.errors import SceneError, ShaderError
-from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.interpret.shader import WGSL, shader_files
 from sss_ref.rendering.fold import render
 from sss_ref.scene import scene_names
@@ -27,9 +24,6 @@ QUICK = {  # what shows most: published (a texture read at the vertices, bytes),
 METHODS = ("screen_space", "texture_space")
 
 
-FREE = replace(PROFILES["vulkan"], contraction="free")  # as WGSL allows
-
-
 def small(size):
     return {f"{t}.{s}": size for t in ("camera", "shadow_map", "irradiance_map") for s in ("width", "height")}
 
@@ -39,7 +33,7 @@ def drawn(scene, shaders=None, keep="all"):
 
 
 def assert_passes(scene):
-    found = validate(render(scene, interpreter="arrays"), drawn(scene), profile=FREE, explain=False)
+    found = validate(render(scene, interpreter="arrays"), drawn(scene), profile="wgsl", explain=False)
     assert found.passed, found.summary
     assert not found.missing
 

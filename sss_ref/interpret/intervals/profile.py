@@ -65,6 +65,7 @@ MEDIUMP_SMALLEST, MEDIUMP_LARGEST = 2.0**-14, 2.0**14
 PROFILES = {
     "ieee": Profile(Ieee(), weight_bits=0, filter_bits=0, nearest_slack=0.0),
     "vulkan": Profile(),
+    "wgsl": Profile(contraction="free"),
     "gl": Profile(Bounded(relative=GL_RELATIVE)),
     "mediump": Profile(
         Bounded(relative=MEDIUMP_RELATIVE, smallest_normal=MEDIUMP_SMALLEST, largest=MEDIUMP_LARGEST),

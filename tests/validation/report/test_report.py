@@ -151,7 +151,7 @@ def test_only_some_pixels(dump, oracle, tmp_path, capsys):
 
 def test_what_cannot_be_used(dump, tmp_path, capsys):
     for arguments, message in (
-        (["sphere"], "expected a folder of buffers, a mapping file, or --run-glsl, got none"),
+        (["sphere"], "expected a folder of buffers, a mapping file, --run-glsl or --run-wgsl, got none"),
         (["sphere", str(tmp_path / "none")], str(tmp_path / "none")),
         (["wedge", str(dump)], "48"),
     ):
