@@ -25,8 +25,8 @@ class EdgeFunction(NamedTuple):
 
 @compiled
 def position(snapped, vertex):
-    """Window position (x, y) of a vertex, widened so that products of two cannot overflow."""
-    return np.int64(snapped[vertex, 0]), np.int64(snapped[vertex, 1])
+    """Window position (x, y) of a vertex, as float64: products of two are exact."""
+    return np.float64(snapped[vertex, 0]), np.float64(snapped[vertex, 1])
 
 
 @compiled
@@ -50,7 +50,7 @@ def edges(primitives, piece, step):
     a = position(primitives.snapped, primitives.corners[piece, 0])
     b = position(primitives.snapped, primitives.corners[piece, 1])
     c = position(primitives.snapped, primitives.corners[piece, 2])
-    turn = 1 if twice_area(a, b, c) > 0 else -1
+    turn = 1.0 if twice_area(a, b, c) > 0 else -1.0
     return edge_function(b, c, turn, step), edge_function(c, a, turn, step), edge_function(a, b, turn, step)
 
 
@@ -70,9 +70,15 @@ def owns_its_samples(edge):
 
 
 @compiled
+def least(edge):
+    """The least value of an edge function at a sample that is covered: 1 where the edge does not own its samples."""
+    return 0.0 if owns_its_samples(edge) else 1.0
+
+
+@compiled
 def acceptance(edge):
-    """The edge function lowered by one unit where the edge does not own its samples: covered means value >= 0."""
-    return EdgeFunction(edge.constant - (0.0 if owns_its_samples(edge) else 1.0), edge.per_column, edge.per_row)
+    """The edge function lowered by its least value: covered means value >= 0."""
+    return EdgeFunction(edge.constant - least(edge), edge.per_column, edge.per_row)
 
 
 @compiled

@@ -1,7 +1,8 @@
-"""Which piece each pixel sees: bins of rows, spans of columns, a depth test (rules R3 and R4).
+"""Which piece each pixel sees: bins of rows, boxes of columns, a depth test (rules R3 and R4).
 
 The picture is cut into bands of rows. A counting sort lists the pieces of each band in scene order, and a band is
 drawn by one thread from its own list, so the result depends neither on the number of threads nor on the band height.
+A pixel of a band is one whole number, its key: the depth of the nearest piece and, in the lower half, which one it is.
 """
 
 from collections.abc import Callable, Iterable
@@ -12,17 +13,24 @@ import numpy as np
 
 from sss_ref.cache.compiled import compiled
 from sss_ref.cache.spare_memory import SPARE
-from sss_ref.raster.coverage import acceptance, at, covered_columns, edges
+from sss_ref.raster.coverage import acceptance, at, covered_columns, edges, least
 from sss_ref.raster.primitives import Primitives
 from sss_ref.raster.viewport import Viewport
 
 BAND_ROWS = 32
-FAR = np.float32(1)
+PACK = 8  # columns that processors may compute side by side
+WIDE = 48  # columns: of a piece so wide, what it covers of a row is found before depths are computed there
+FIRST, LAST = 0, 2**31 - 1  # XOR a piece: its number in a key, where of several at the same depth this one stays
+NOTHING = int(np.float32(1).view(np.int32)) << 32  # the key of the far plane, less than that of any piece there
 
 
 class Bins(NamedTuple):
-    """The pieces of band b, in scene order: members[start[b]:start[b + 1]] (int64 (B + 1,) and int32 (M,))."""
+    """The pieces of band b, in scene order: members[start[b]:start[b + 1]] (int64 (B + 1,) and int32 (M,)).
 
+    band_rows: rows of a band.
+    """
+
+    band_rows: int
     start: np.ndarray
     members: np.ndarray
 
@@ -30,12 +38,10 @@ class Bins(NamedTuple):
 class Target(NamedTuple):
     """What is drawn into, each (H, W).
 
-    piece: the nearest, int32, -1 for none; of several at the same depth the first. last: of these the last; has no rows
-    where nobody asks for it. depth: their window depth, float32.
+    piece: the nearest, int32, -1 for none. depth: its window depth, float32, else 1.
     """
 
     piece: np.ndarray
-    last: np.ndarray
     depth: np.ndarray
 
 
@@ -47,27 +53,26 @@ def visibility(
     pool: what the bands are spread over; None draws them in this thread. band_rows: rows of a band; no bit depends on
     either. The nearest piece wins (LESS), of two at the same depth the earlier.
     """
-    target = drawn(primitives, viewport, pool, band_rows, last_rows=0)
-    return target.piece, target.depth
+    bins = bin_pieces(primitives, viewport, band_rows)
+    return drawn(primitives, bins, viewport, pool, FIRST)
 
 
 def first_and_last(
     primitives: Primitives, viewport: Viewport, pool: Executor | None
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """What `visibility` gives, and between the two the visible piece where of two at the same depth the later wins."""
-    target = drawn(primitives, viewport, pool, BAND_ROWS, last_rows=viewport.height)
-    return target.piece, target.last, target.depth
+    bins = bin_pieces(primitives, viewport, BAND_ROWS)
+    first, depth = drawn(primitives, bins, viewport, pool, FIRST)
+    return first, drawn(primitives, bins, viewport, pool, LAST).piece, depth
 
 
-def drawn(primitives: Primitives, viewport: Viewport, pool: Executor | None, band_rows: int, last_rows: int) -> Target:
-    """The target with all pieces drawn into it; last_rows: those of its `last`, all or none."""
+def drawn(primitives: Primitives, bins: Bins, viewport: Viewport, pool: Executor | None, order: int) -> Target:
+    """The target with all pieces drawn into it; order: FIRST or LAST, which of several at the same depth stays."""
     shape = (viewport.height, viewport.width)
-    last = SPARE.empty((last_rows, viewport.width), np.int32)
-    target = Target(SPARE.empty(shape, np.int32), last, SPARE.empty(shape, np.float32))
-    bins = bin_pieces(primitives, viewport.height, viewport.step, band_rows)
+    target = Target(SPARE.empty(shape, np.int32), SPARE.empty(shape, np.float32))
 
     def draw(band: int) -> None:
-        draw_band(primitives, bins, (band, band_rows), viewport.step, target)
+        draw_band(primitives, bins, band, (viewport.subpixel_bits, order), target)
 
     run: Callable[..., Iterable[None]] = map if pool is None else pool.map
     for _ in run(draw, range(len(bins.start) - 1)):
@@ -75,80 +80,123 @@ def drawn(primitives: Primitives, viewport: Viewport, pool: Executor | None, ban
     return target
 
 
-def bin_pieces(primitives: Primitives, height: int, step: int, band_rows: int) -> Bins:
+def bin_pieces(primitives: Primitives, viewport: Viewport, band_rows: int) -> Bins:
     """Sort the pieces into the bands they touch (counting sort, which keeps their order)."""
-    counts = np.zeros((height - 1) // band_rows + 2, np.int64)
-    count_members(primitives, (height, step, band_rows), counts[1:])
+    band_of_row = np.arange(viewport.height) // band_rows
+    counts = np.zeros(band_of_row[-1] + 2, np.int64)
+    count_members(primitives, band_of_row, viewport.subpixel_bits, counts[1:])
     start = np.cumsum(counts)
     members = np.empty(start[-1], np.int32)
-    list_members(primitives, (height, step, band_rows), start.copy(), members)
-    return Bins(start, members)
+    list_members(primitives, band_of_row, viewport.subpixel_bits, start.copy(), members)
+    return Bins(band_rows, start, members)
 
 
 @compiled
-def count_members(primitives, rows, counts):
-    """Add to `counts` (int64 (B,)) how many pieces touch each band; rows: (height, step, rows of a band)."""
-    height, step, band_rows = rows
+def count_members(primitives, band_of_row, bits, counts):
+    """Add to `counts` (int64 (B,)) how many pieces touch each band."""
     for piece in range(len(primitives.corners)):
-        first, last = sampled(primitives, piece, 1, height, step)
-        for band in range(first // band_rows, last // band_rows + 1):
-            counts[band] += 1
+        first, last = sampled(primitives, piece, 1, len(band_of_row), bits)
+        if first <= last:
+            for band in range(band_of_row[first], band_of_row[last] + 1):
+                counts[band] += 1
 
 
 @compiled
-def list_members(primitives, rows, following, members):
+def list_members(primitives, band_of_row, bits, following, members):
     """Write each piece into `members` where its bands go on: following (int64) starts as the bands' first places."""
-    height, step, band_rows = rows
     for piece in range(len(primitives.corners)):
-        first, last = sampled(primitives, piece, 1, height, step)
-        for band in range(first // band_rows, last // band_rows + 1):
-            members[following[band]] = piece
-            following[band] += 1
+        first, last = sampled(primitives, piece, 1, len(band_of_row), bits)
+        if first <= last:
+            for band in range(band_of_row[first], band_of_row[last] + 1):
+                members[following[band]] = piece
+                following[band] += 1
 
 
 @compiled
-def sampled(primitives, piece, axis, size, step):
+def sampled(primitives, piece, axis, size, bits):
     """The columns (axis 0) or rows (axis 1) of the picture whose samples the piece can reach: (first, last)."""
     corners, snapped = primitives.corners, primitives.snapped
     a = np.int64(snapped[corners[piece, 0], axis])
     b = np.int64(snapped[corners[piece, 1], axis])
     c = np.int64(snapped[corners[piece, 2], axis])
-    first = -(-min(a, b, c) // step)
-    return max(first, 0), min(max(a, b, c) // step, size - 1)
+    first = -(-min(a, b, c) >> bits)
+    return max(first, 0), min(max(a, b, c) >> bits, size - 1)
 
 
 @compiled
-def draw_band(primitives, bins, place, step, target):
-    """Clear the rows of one band, then draw its pieces in scene order; place: (band, rows of a band)."""
-    band, band_rows = place
-    first_row = band * band_rows
-    last_row = min(first_row + band_rows, len(target.depth)) - 1
-    target.piece[first_row : last_row + 1] = -1
-    target.last[first_row : last_row + 1] = -1
-    target.depth[first_row : last_row + 1] = FAR
-    for k in range(bins.start[band], bins.start[band + 1]):
-        draw_piece(primitives, bins.members[k], (first_row, last_row), step, target)
-
-
-@compiled
-def draw_piece(primitives, piece, rows, step, target):
-    """Draw one piece into the rows rows[0]..rows[1]."""
+def draw_band(primitives, bins, band, rules, target):
+    """Draw the pieces of one band; rules: (subpixel bits, order as in `drawn`)."""
     height, width = target.depth.shape
-    first_column, last_column = sampled(primitives, piece, 0, width, step)
-    bottom, top = sampled(primitives, piece, 1, height, step)
-    weights = edges(primitives, piece, step)
+    bits, order = rules
+    first_row = band * bins.band_rows
+    count = min(bins.band_rows, height - first_row)
+    keys = np.full((count, width + PACK), NOTHING, np.int64)
+    for k in range(bins.start[band], bins.start[band + 1]):
+        piece = bins.members[k]
+        draw_piece(primitives, piece, bits, (first_row, width), keys, order ^ piece)
+    for row in range(count):
+        take_pieces(keys[row], order, target.piece[first_row + row])
+        take_depths(keys[row], target.depth[first_row + row])
+
+
+@compiled
+def draw_piece(primitives, piece, bits, place, keys, number):
+    """Draw one piece into the keys of a band; place: (first row, width); number: what a key says of the piece."""
+    first_row, width = place
+    first_column, last_column = sampled(primitives, piece, 0, width, bits)
+    bottom, top = sampled(primitives, piece, 1, first_row + len(keys), bits)
+    weights, corner_depths = edges(primitives, piece, 1 << bits), depths(primitives, piece)
     acceptances = acceptance(weights[0]), acceptance(weights[1]), acceptance(weights[2])
-    corner_depths, keeps_last = depths(primitives, piece), len(target.last) > 0
-    for row in range(max(bottom, rows[0]), min(top, rows[1]) + 1):
-        first, last = covered_columns(acceptances, row, first_column, last_column)
-        for column in range(first, last + 1):
-            depth = window_depth(weights, corner_depths, column, row)
-            there = target.depth[row, column]
-            if depth < there:
-                target.depth[row, column] = depth
-                target.piece[row, column] = piece
-            if keeps_last and depth <= there and target.piece[row, column] >= 0:
-                target.last[row, column] = piece
+    for row in range(max(bottom, first_row), top + 1):
+        columns = first_column, last_column
+        if last_column - first_column >= WIDE:
+            columns = covered_columns(acceptances, row, first_column, last_column)
+        draw_columns(keys[row - first_row], row, columns, weights, corner_depths, number)
+
+
+@compiled
+def draw_columns(keys, row, columns, edges, depths, number):
+    """Draw a piece into the columns columns[0]..columns[1] of a row, and try those behind them up to a whole PACK.
+
+    So a piece is tried at all columns of its box: that takes less than to find out where in a short row it begins.
+    """
+    first, last = columns
+    start_0, start_1, start_2 = at(edges[0], 0, row), at(edges[1], 0, row), at(edges[2], 0, row)
+    total = edges[0].constant + edges[1].constant + edges[2].constant  # of e0, e1 and e2, at every sample the same
+    for k in range((last - first + PACK) // PACK * PACK):
+        column = np.float64(np.int32(first + k))
+        e0 = start_0 + column * edges[0].per_column
+        e1 = start_1 + column * edges[1].per_column
+        e2 = start_2 + column * edges[2].per_column
+        covered = (e0 >= least(edges[0])) & (e1 >= least(edges[1])) & (e2 >= least(edges[2]))
+        key = key_of(window_depth((e0, e1, e2), depths, total), number)
+        place = np.uint64(first + k)  # as it is never below 0, no element is counted from the end
+        there = keys[place]
+        keys[place] = key if covered & (key < there) else there
+
+
+@compiled
+def key_of(depth, number):
+    """Depth, rounded to float32, and number of a piece as one int64: less is nearer, or as near and less in number.
+
+    The bits of a float32 that is not negative, as a whole number, are in its own order.
+    """
+    return np.int64(np.float32(depth).view(np.int32)) << 32 | number
+
+
+@compiled
+def take_pieces(keys, order, pieces):
+    """The pieces of some keys, int32, -1 for none; order: as in `drawn`."""
+    for column in range(len(pieces)):
+        key = keys[column]
+        pieces[column] = np.int32(-1) if key == NOTHING else np.int32((key & LAST) ^ order)
+
+
+@compiled
+def take_depths(keys, depths):
+    """The depths of some keys, float32."""
+    for column in range(len(depths)):
+        depths[column] = np.int32(keys[column] >> 32).view(np.float32)
 
 
 @compiled
@@ -163,10 +211,7 @@ def depths(primitives, piece):
 
 
 @compiled
-def window_depth(edges, depths, column, row):
-    """((z0*e0 + z1*e1) + z2*e2) / (e0 + e1 + e2) in float64, clamped to [0, 1], then rounded once (rule R4)."""
-    e0, e1, e2 = at(edges[0], column, row), at(edges[1], column, row), at(edges[2], column, row)
-    total = edges[0].constant + edges[1].constant + edges[2].constant  # of e0, e1 and e2, at every sample the same
-    depth = ((depths[0] * e0 + depths[1] * e1) + depths[2] * e2) / total
-    clamped = 0.0 if depth < 0.0 else (1.0 if depth > 1.0 else depth)
-    return np.float32(clamped)
+def window_depth(weights, depths, total):
+    """((z0*e0 + z1*e1) + z2*e2) / (e0 + e1 + e2) in float64, clamped to [0, 1] (rule R4)."""
+    depth = ((depths[0] * weights[0] + depths[1] * weights[1]) + depths[2] * weights[2]) / total
+    return 0.0 if depth < 0.0 else (1.0 if depth > 1.0 else depth)
