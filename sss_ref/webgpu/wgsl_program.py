@@ -65,7 +65,7 @@ class WgslProgram:
                 },
             )
 
-        return cls(pair.name, device, _checked(build, pair.name), resources, tuple(locations))
+        return cls(pair.name, device, checked(build, pair.name), resources, tuple(locations))
 
     def groups(self, textures: "Mapping[str, GPUTexture]", uniforms: Mapping[str, Any]) -> "dict[int, GPUBindGroup]":
         """What both shaders are handed; raises ShaderError for names that neither of these has."""
@@ -100,7 +100,7 @@ class WgslProgram:
                 raise ShaderError(told(self.name, expected, name, "rename it"))
 
 
-def _checked(build: "Callable[[], Any]", where: str) -> Any:
+def checked(build: "Callable[[], Any]", where: str) -> Any:
     """What a compiler makes; its refusal as a ShaderError."""
     import wgpu
 

@@ -84,7 +84,7 @@ class Dialect:
 
     title: its name. types: type -> its name. textures: type of a texel -> the texture's type. calls: primitive -> how
     it is written, with {0}, {1} for the arguments; also "!=" of two numbers, where the language's own is wrong for NaN.
-    texel, element: how a texture, or a long array in one, is read.
+    texel, element: how a texture {0}, or a long array in one, is read at {1}; {2} is the type of what is read.
     four_channels: whether a texel has four, whatever its texture holds.
     products: type of a matrix m -> its product with the vector v. splat: a vector of type {0}, each component {1}.
     written: how definitions and statements are written. constant: what stands before a constant. exact: what stands
@@ -181,11 +181,11 @@ class Dialect:
 
     def fetched(self, kind: Any, texture: str, at: str) -> str:
         """The texel of this type at `at`."""
-        return self._typed(kind, self.texel.format(texture, at))
+        return self._typed(kind, self.texel.format(texture, at, type_name(kind)))
 
     def looked_up(self, kind: Any, texture: str, index: str) -> str:
         """The element of this type of a long uniform array."""
-        return self._typed(kind, self.element.format(texture, index))
+        return self._typed(kind, self.element.format(texture, index, type_name(kind)))
 
     def _typed(self, kind: Any, texel: str) -> str:
         vector = isinstance(kind, type) and issubclass(kind, Vector)

@@ -111,7 +111,7 @@ class ShaderWords:
     @property
     def _table_lines(self) -> list[str]:
         tables = list(self.tables.values())
-        runs = [(each.number, *run) for each in tables for run in each.runs] or [(ABSENT, 0, 0, 0, 0)]
+        runs = self.runs
         return [
             _array("ivec2", "SIZES", [f"ivec2({width}, {height})" for width, height in (each.size for each in tables)]),
             _array("int", "CHANNELS", [str(each.channels) for each in tables]),
@@ -120,6 +120,11 @@ class ShaderWords:
             f"const int WITNESS_RUN_COUNT = {len(runs)};",
             *TEXELS.splitlines(),
         ]
+
+    @property
+    def runs(self) -> list[tuple[int, int, int, int, int]]:
+        """Each run of a table: its number, column and row of the first, how many, and its first word; never none."""
+        return [(each.number, *run) for each in self.tables.values() for run in each.runs] or [(ABSENT, 0, 0, 0, 0)]
 
     def argument(self, own: str, kind: Any, dialect: Dialect) -> str:
         """What the stage is handed for a parameter."""
@@ -131,14 +136,14 @@ class ShaderWords:
             order = [first + row * side + column for column in range(side) for row in range(side)]
         else:
             order = [first + k for k in range(CHANNELS[kind])]
-        values = ", ".join(_read(kind, k) for k in order)
+        values = ", ".join(_read(kind, k, dialect) for k in order)
         return values if len(order) == 1 else f"{dialect.types[kind]}({values})"
 
 
-def _read(kind: Any, k: int) -> str:
+def _read(kind: Any, k: int, dialect: Dialect) -> str:
     if kind is bool:
         return f"witness_word({k}) != 0u"
-    return f"int(witness_word({k}))" if kind in WHOLE else f"witness_float({k})"
+    return f"{dialect.types[int]}(witness_word({k}))" if kind in WHOLE else f"witness_float({k})"
 
 
 def _table(number: int, kind: Any, held: Any, read: Iterable[Place], words: list[str]) -> TexelTable:
