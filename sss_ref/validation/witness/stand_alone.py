@@ -14,9 +14,10 @@ from sss_ref.interpret.shader import GLSL, Dialect, Library
 from sss_ref.interpret.shader.text import braced, comment, joined
 from sss_ref.language.layout import CHANNELS
 from sss_ref.language.types import vec2, vec3, vec4
+from sss_ref.numerics.inward import no_farther
 from sss_ref.validation.witness.bits_text import WHOLE, bits_of
 from sss_ref.validation.witness.shader_words import BOOLS, FLOATS, INTS, ShaderWords
-from sss_ref.validation.witness.witness import Witness, as_value, within
+from sss_ref.validation.witness.witness import Witness, as_value
 
 VERDICT, BITS = "witness_verdict", "witness_bits"  # the outputs
 GREEN, RED = "vec4(0.0, 1.0, 0.0, 1.0)", "vec4(1.0, 0.0, 0.0, 1.0)"
@@ -83,7 +84,7 @@ def _about(witness: Witness) -> str:
 def _judging(witness: Witness, dialect: Dialect) -> list[str]:
     """Whether each component of the output lies in its interval, and its bits."""
     kind = witness.kind
-    ends = [bits_of(kind, as_value(kind, end)).split() for end in within(witness.expected, witness.known.reach[0])]
+    ends = [bits_of(kind, as_value(kind, end)).split() for end in no_farther(witness.expected, witness.known.reach[0])]
     output = f"result.{dialect.name(witness.output)}"
     parts = [output] if CHANNELS[kind] == 1 else [f"{output}.{letter}" for letter in "xyzw"[: CHANNELS[kind]]]
     holds = [_within(kind, part, low, high) for part, low, high in zip(parts, *ends, strict=True)]

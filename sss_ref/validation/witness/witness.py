@@ -10,14 +10,12 @@ from sss_ref.dump.loss import Loss
 from sss_ref.interpret.intervals.enclosing import CONDITION, WHICH_TEXEL
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.language.layout import CHANNELS, dtype_of
-from sss_ref.numerics.inward import float32_within
+from sss_ref.numerics.inward import no_farther
 from sss_ref.validation.accept.known import Known
 from sss_ref.validation.accept.rebased import Check
 from sss_ref.validation.accept.storage import moved
 from sss_ref.validation.verdict.outcomes import OUTCOMES, compared
 from sss_ref.validation.witness.situation import Situation
-
-MOST_WHOLE = np.iinfo(np.int32).max
 
 
 @dataclass(frozen=True)
@@ -75,7 +73,7 @@ class Witness:
     @property
     def allowed(self) -> tuple[np.ndarray, np.ndarray]:
         """The least and the greatest right value of each component, (C,), in the type of the buffer."""
-        return within(self.expected, self.reach)
+        return no_farther(self.expected, self.reach)
 
     @property
     def outcome(self) -> str:
@@ -97,13 +95,3 @@ class Witness:
 def as_value(kind: Any, array: np.ndarray) -> Any:
     """The components (C,) of a value of a type as that value."""
     return kind(*array) if CHANNELS[kind] > 1 else array[0]
-
-
-def within(expected: np.ndarray, reach: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The least and the greatest float32, or whole number, no further than the reach from what is expected."""
-    if expected.dtype.kind != "f":
-        whole = (np.clip(expected + way * reach, -MOST_WHOLE - 1, MOST_WHOLE) for way in (-1, 1))
-        low, high = (end.astype(np.int32) for end in whole)
-        return low, high
-    exact = expected.astype(np.float64)
-    return float32_within(exact - reach, exact + reach)
