@@ -7,7 +7,6 @@ once, no branches, calls of built-ins and functions only, float literals exact i
 
 import ast
 import inspect
-import textwrap
 from collections.abc import Callable, Mapping
 from typing import Any, NoReturn, get_args, get_origin
 
@@ -15,6 +14,7 @@ import numpy as np
 
 from sss_ref.errors import StageError
 from sss_ref.language import tree
+from sss_ref.language.definitions import definition_of
 from sss_ref.language.types import Array, Vector
 from sss_ref.language.typing_rules import MEMBERS, construct_error, operation_type, type_name
 
@@ -61,9 +61,8 @@ class _Reader:
         self.scope = {**function.__globals__, **inspect.getclosurevars(function).nonlocals}
 
     def read(self) -> tree.Body:
-        lines, self.first_line = inspect.getsourcelines(self.function)
-        definition = ast.parse(textwrap.dedent("".join(lines))).body[0]
-        assert isinstance(definition, ast.FunctionDef)
+        definition = definition_of(self.function)
+        self.first_line = definition.lineno
         statements = definition.body[1:] if ast.get_docstring(definition) else definition.body
         if not statements or not isinstance(statements[-1], ast.Return):
             self.fail(definition, "the last statement must be the one `return`")
@@ -76,7 +75,7 @@ class _Reader:
 
     def fail(self, node: ast.AST, message: str) -> NoReturn:
         """Raise StageError for the source line of `node`."""
-        line = self.first_line + getattr(node, "lineno", 1) - 1
+        line = getattr(node, "lineno", self.first_line)
         raise StageError(f"{self.function.__code__.co_filename}:{line}: in {self.function.__name__}: {message}")
 
     # Statements
@@ -98,7 +97,7 @@ class _Reader:
             if self.names[name] != value.type:
                 self.fail(node, f"`{name}` is {type_name(self.names[name])}, not {type_name(value.type)}")
         self.names[name] = value.type
-        return tree.Assign(name, value, self.first_line + node.lineno - 1)
+        return tree.Assign(name, value, node.lineno)
 
     def loop(self, node: ast.For) -> tree.Loop:
         call = node.iter
@@ -111,17 +110,16 @@ class _Reader:
         self.names[node.target.id] = int
         block = tuple(self.assign(statement, frozenset(outside)) for statement in node.body)
         self.names = outside
-        return tree.Loop(node.target.id, start, stop, block, self.first_line + node.lineno - 1)
+        return tree.Loop(node.target.id, start, stop, block, node.lineno)
 
     def result(self, node: ast.stmt) -> tree.Return:
         assert isinstance(node, ast.Return)
-        line = self.first_line + node.lineno - 1
         if list(self.outputs) == ["return"]:
-            return tree.Return({"return": self.typed(node.value, self.outputs["return"])}, line)
+            return tree.Return({"return": self.typed(node.value, self.outputs["return"])}, node.lineno)
         if not (isinstance(node.value, ast.Call) and len(node.value.args) == len(self.outputs)):
             self.fail(node, f"return the output type with its {len(self.outputs)} fields in order")
         fields = zip(self.outputs.items(), node.value.args, strict=True)
-        return tree.Return({name: self.typed(value, kind) for (name, kind), value in fields}, line)
+        return tree.Return({name: self.typed(value, kind) for (name, kind), value in fields}, node.lineno)
 
     # Expressions
 
