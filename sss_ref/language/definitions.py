@@ -30,7 +30,8 @@ def definition_of(function: Callable[..., Any]) -> ast.FunctionDef:
 @lru_cache(FILES_KEPT)
 def _definitions(source: str) -> dict[int, ast.FunctionDef]:
     """First line, that of a decorator if it has any -> every function that a source defines."""
-    return {min(line.lineno for line in (each, *each.decorator_list)): each for each in _functions(ast.parse(source))}
+    functions = _functions(ast.parse(source))
+    return {min([each.lineno, *(line.lineno for line in each.decorator_list)]): each for each in functions}
 
 
 def _functions(node: ast.AST) -> Iterator[ast.FunctionDef]:

@@ -1,24 +1,25 @@
-"""The methods by name: the paper's two, and the techniques that share its passes."""
+"""The methods by name: the paper's two, and the techniques that share its passes. A scene loads its own."""
+
+from functools import partial
+from importlib import import_module
+from typing import cast
 
 from sss_ref.language.pipeline import Method
-from sss_ref.methods.burley import burley
-from sss_ref.methods.gaussian_texture import gaussian_texture
 from sss_ref.methods.parallel_views import with_parallel_rays
-from sss_ref.methods.preintegrated import preintegrated
-from sss_ref.methods.published import printed_methods
-from sss_ref.methods.screen_space import screen_space
-from sss_ref.methods.separable import separable
-from sss_ref.methods.texture_space import texture_space
 from sss_ref.scene_file.settings import SceneFile
 
-METHODS = {"screen_space": screen_space, "texture_space": texture_space}
+
+def _built(home: str, name: str, settings: SceneFile) -> Method:
+    """What the function of a name makes of settings. home: the module that it is in."""
+    return cast(Method, getattr(import_module(home), name)(settings))
+
+
+METHODS = {name: partial(_built, f"sss_ref.methods.{name}", name) for name in ("screen_space", "texture_space")}
 TECHNIQUES = {
-    "separable": separable,
-    "burley": burley,
-    "preintegrated": preintegrated,
-    "gaussian_texture": gaussian_texture,
+    name: partial(_built, f"sss_ref.methods.{name}", name)
+    for name in ("separable", "burley", "preintegrated", "gaussian_texture")
 }
-PUBLISHED = {"screen_space": printed_methods.screen_space, "texture_space": printed_methods.texture_space}
+PUBLISHED = {name: partial(_built, "sss_ref.methods.published.printed_methods", name) for name in METHODS}
 
 
 def method_of(settings: SceneFile) -> Method:

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from sss_ref.mesh.curvature import over_triangles, unit_rows, vertex_curvatures
 from sss_ref.mesh.triangles import Mesh
-from sss_ref.methods.gaussian_texture import GAUSSIANS
 from sss_ref.numerics.elementary import exp_array
 from sss_ref.scene.burley_samples import burley_samples
 from sss_ref.scene.projected_kernel import projected_kernel
@@ -53,6 +52,8 @@ def of_preintegrated(diffusion: Diffusion) -> dict[str, Any]:
 
 def of_gaussian_texture(diffusion: Diffusion) -> dict[str, Any]:
     """The six Gaussians, and how much each is wider than the one before, mm; the taps of a Gaussian."""
+    from sss_ref.methods.gaussian_texture import GAUSSIANS  # no other method needs its stages
+
     rows = np.array(diffusion.gaussians, np.float64)
     wider = np.sqrt(rows[:, 0] - np.concatenate([[0.0], rows[:-1, 0]]))
     places = np.arange(-3.0, 4.0)
