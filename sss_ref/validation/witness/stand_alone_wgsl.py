@@ -13,9 +13,10 @@ from sss_ref.errors.text_file import write_text
 from sss_ref.interpret.shader import WGSL, Library
 from sss_ref.interpret.shader.text import comment, joined
 from sss_ref.language.layout import CHANNELS
+from sss_ref.numerics.inward import no_farther
 from sss_ref.validation.witness.bits_text import WHOLE, bits_of
 from sss_ref.validation.witness.shader_words import ABSENT, ShaderWords
-from sss_ref.validation.witness.witness import Witness, as_value, within
+from sss_ref.validation.witness.witness import Witness, as_value
 
 VERTEX, FRAGMENT = "witness_vertex", "witness_fragment"  # the entry points
 TABLES = replace(
@@ -185,7 +186,7 @@ def _bits(witness: Witness) -> str:
 def _right(witness: Witness) -> str:
     """Whether the bits lie in their intervals, one a component."""
     kind = witness.kind
-    ends = [bits_of(kind, as_value(kind, end)).split() for end in within(witness.expected, witness.known.reach[0])]
+    ends = [bits_of(kind, as_value(kind, end)).split() for end in no_farther(witness.expected, witness.known.reach[0])]
     form = "i32(bits.{0}) >= i32(0x{1}u) && i32(bits.{0}) <= i32(0x{2}u)"
     form = form if kind in WHOLE else "witness_within(bits.{0}, 0x{1}u, 0x{2}u)"
     return " && ".join(form.format(*each) for each in zip("xyzw", *ends, strict=False))
