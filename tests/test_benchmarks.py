@@ -3,6 +3,7 @@
 import re
 import subprocess
 import sys
+import tomllib
 from dataclasses import replace
 from pathlib import Path
 
@@ -71,3 +72,32 @@ def test_the_simulation_of_a_cluster_waits_where_one_would(monkeypatch):
     assert handed.until == pytest.approx(5) and handed.handing == pytest.approx(4 / 5)
     stored = scale.simulated(4, costs, replace(free, changes=3.0, bandwidth=8.0, starting=0.0))  # two seconds an item
     assert stored.until == pytest.approx(9) and stored.files == pytest.approx(8 / 9)
+
+
+def test_mutants_called_equivalent_are_of_the_sources_as_they_are(monkeypatch):
+    monkeypatch.syspath_prepend(str(FOLDER))
+    from changed_sources import mutants
+
+    listed = tomllib.loads((FOLDER / "equivalent_mutants.toml").read_text(encoding="utf-8"))["mutant"]
+    assert listed and all(each["why"] for each in listed)
+    for path in {each["path"] for each in listed}:
+        found = {mutant.changed_line for mutant in mutants(Path(path))}
+        assert {each["changed"] for each in listed if each["path"] == path} <= found
+
+
+def test_a_mutant_knows_the_lines_that_are_executed_with_it(monkeypatch, tmp_path):
+    """Those of its statement without the ones inside that; none where it is computed on import. No type is changed."""
+    monkeypatch.syspath_prepend(str(FOLDER))
+    import changed_sources
+
+    source = "N: Literal[1] = 2\ndef f(a: X | Y = 3):\n    if a < (\n        4\n    ):\n        return not a\n"
+    (tmp_path / "a.py").write_text(source, encoding="utf-8")
+    monkeypatch.setattr(changed_sources, "PACKAGE", tmp_path)
+    found = {each.changed_line: [*each.executed] for each in changed_sources.mutants(Path("a.py"))}
+    assert found == {
+        "N: Literal[1] = (3)": [],
+        "def f(a: X | Y = (4)):": [],
+        "if (a <= 4):": [3, 4, 5],
+        "(5)": [3, 4, 5],
+        "return (a)": [6],
+    }

@@ -4,12 +4,14 @@ import pytest
 from sss_ref.errors import SceneError
 from sss_ref.view.matrices import (
     look_at,
+    mirrors,
     normal_matrix,
     orthographic,
     perspective,
     placement,
     product,
     rotation,
+    scaling,
     transformed,
 )
 
@@ -37,6 +39,10 @@ def test_placement_scales_then_turns_about_x_y_z_then_moves():
 @pytest.mark.parametrize("axis, before, after", [(0, 1, 2), (1, 2, 0), (2, 0, 1)])
 def test_rotation_is_counter_clockwise(axis, before, after):
     assert np.array_equal(rotation(axis, 90)[:3, before], np.eye(3)[after])
+
+
+def test_rotation_of_a_quarter_about_z_by_hand():
+    assert np.array_equal(rotation(2, 90), [[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
 
 
 def test_look_at_by_hand():
@@ -91,3 +97,11 @@ def test_orthographic():
     """4 x 2 units wide and high, from 1 to 5 ahead: its corners are those of the clip space, and w is 1."""
     corners = np.array([[-2, -1, -1, 1], [2, 1, -5, 1], [0, 0, -3, 1]]) @ orthographic(2.0, 2.0, 1.0, 5.0).T
     assert corners.tolist() == [[-1, -1, -1, 1], [1, 1, 1, 1], [0, 0, 0, 1]]
+
+
+@pytest.mark.parametrize(
+    "factors, expected", [((0.5, 0.5, 0.5), False), ((0.5, -0.5, 0.5), True), ((-2, -3, 4), False)]
+)
+def test_an_odd_number_of_mirrored_axes_mirrors(factors, expected):
+    """However small: the determinant is .125, -.125, 24."""
+    assert mirrors(scaling(factors)) == expected
