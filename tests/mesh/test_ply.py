@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 from mesh_texts import FACES, POINTS, TETRAHEDRON, centres, corners, loaded, measured, refusal
 
+from sss_ref.mesh.ply_rows import Rows
+
 AGAIN = "; export the mesh again"
 NO_TRIANGLE = "expected at least one triangle, got none; export the mesh as triangles or polygons"
 FORMS = ["ascii", "binary_little_endian", "binary_big_endian"]
@@ -99,6 +101,13 @@ def test_line_ends_and_comments(tmp_path, form, end):
     comments = ("comment made by end_header K\u00f6pfe", "obj_info 1", "comment", "")
     mesh = loaded(tmp_path, "a.ply", ply(VERTEX, FACE, form=form, end=end, comments=comments))
     assert measured(mesh) == TETRAHEDRON and centres(mesh) == [1, 1, 0, 1]
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_rows_alike_are_not_read_one_by_one(tmp_path, form, monkeypatch):
+    """The loop over rows is for lists of unlike lengths."""
+    monkeypatch.delattr(Rows, "_row_by_row")
+    assert measured(loaded(tmp_path, "a.ply", ply(VERTEX, FACE, form=form))) == TETRAHEDRON
 
 
 def test_latin_1_in_a_comment(tmp_path):
@@ -219,6 +228,7 @@ def test_what_is_behind_the_last_element_is_noted(tmp_path, form):
 
 REFUSED = {
     "another format": (b"solid", "expected a valid ply file, got one that does not begin with the line ply" + AGAIN),
+    "a longer word": (b"plyx\n", "expected a valid ply file, got one that does not begin with the line ply" + AGAIN),
     "no end of the header": (
         ply(VERTEX, FACE).partition(b"end_header")[0],
         "expected a ply header that ends with end_header, got none" + AGAIN,
