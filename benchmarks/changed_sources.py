@@ -89,10 +89,12 @@ def computed(node: ast.AST, statement: ast.stmt | None, is_called: bool) -> Iter
 
 
 def not_computed(node: ast.AST) -> list[ast.AST]:
-    """What of a node says a type or how a function is made; A | B is a type at a file's top level."""
+    """What of a node says a type, how a function is made, or that lengths agree; A | B is a type at the top level."""
     found = [getattr(node, "annotation", None), getattr(node, "returns", None), *getattr(node, "decorator_list", [])]
     if isinstance(node, ast.Module):
         found += [each.value for each in node.body if isinstance(each, ast.Assign) and is_union(each.value)]
+    if isinstance(node, ast.keyword) and node.arg == "strict":
+        found.append(node.value)
     return [each for each in found if each]
 
 

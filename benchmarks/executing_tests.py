@@ -17,6 +17,7 @@ from xml.etree import ElementTree
 from coverage import CoverageData
 
 HERE = Path(__file__).resolve().parents[1]
+ALONE = ["-o", "addopts=--import-mode=importlib", "-q", "-m", "not full"]  # with xdist's options no test has a context
 CONFIGURATION = "[run]\nrelative_files = true\n"
 
 
@@ -36,7 +37,7 @@ def record(folder: Path, piece: str) -> str:
     name = piece.replace("/", ".")
     configuration = folder / "coveragerc"
     configuration.write_text(CONFIGURATION, encoding="utf-8")
-    command = [sys.executable, "-m", "pytest", "-q", "-n", "0", f"--junitxml={folder / name}.xml", "--cov=sss_ref"]
+    command = [sys.executable, "-m", "pytest", *ALONE, f"--junitxml={folder / name}.xml", "--cov=sss_ref"]
     command += ["--cov-context=test", "--cov-report=", f"--cov-config={configuration}", piece]
     environment = {**os.environ, "COVERAGE_FILE": f"{folder / name}.coverage", "PYTHONPATH": str(HERE)}
     (folder / f"{name}.commit").write_text(git("rev-parse", "HEAD"), encoding="utf-8")

@@ -4,16 +4,18 @@
     python benchmarks/mutation.py FOLDER --count 200 --seed 1                   # a sample of the whole package
     python benchmarks/mutation.py FOLDER view/light_fit.py numerics             # of some files and rooms
 
-A place is an operator, a comparison, a number, a truth value, a `not`, outside types and decorators. Each is changed in
-a copy of the package; then those of the recorded tests run that execute its line: two of each function first, of the
-file that mirrors the source before the others, the quickest first, as many as take `--limit` seconds. Where no test is
-seen to execute it (it runs when it is imported, or compiled), it is the tests of the file that mirrors it, then all
-that execute the file, then its room's. A test counts that passes with the package as it is. Printed are the survivors,
-but for those that equivalent_mutants.toml says nobody can tell from the original, then the score of each room and of
-all: the share of the other mutants that make a test fail, or tests take four times as long and a minute.
+A place is an operator, a comparison, a number, a truth value, a `not`, outside types, decorators and the `strict` of
+zip. Each is changed in a copy of the package; then those of the recorded tests run that execute its line: two of each
+function first, of the file that mirrors the source before the others, the quickest first, as many as take `--limit`
+seconds. Where no test is seen to execute it (it runs when it is imported, or compiled), it is the tests of the file
+that mirrors it, then all that execute the file, then its room's. A test counts that passes with the package as it is.
+Printed are the survivors, but for those that equivalent_mutants.toml says nobody can tell from the original, then the
+score of each room and of all: the share of the other mutants that make a test fail, or tests take four times as long
+and a minute.
 """
 
 import argparse
+import itertools
 import math
 import multiprocessing
 import os
@@ -35,6 +37,7 @@ from executing_tests import Recorded
 HERE = Path(__file__).resolve().parents[1]
 EQUIVALENT = Path(__file__).with_name("equivalent_mutants.toml")
 SLOW = 10  # seconds beyond which a test is not run
+FEW = 12  # tests that run first
 SIMILAR = 2  # as many tests of a function run before the others of it
 PRINTED = "printed.txt"  # what tests print, in their checkout
 SERVER = multiprocessing.get_context("forkserver")
@@ -124,7 +127,7 @@ def interval(hits: int, tries: int) -> tuple[float, float]:
 
 def copied(folder: Path) -> Path:
     """Copy the checkout, as far as tests read it."""
-    skipped = shutil.ignore_patterns(".git", "__pycache__", ".*_cache", "_build", "shared")
+    skipped = shutil.ignore_patterns(".git", ".*_cache", "_build", "shared")
     return Path(shutil.copytree(HERE, folder / "checkout", ignore=skipped, symlinks=True))
 
 
@@ -134,11 +137,18 @@ class Trial:
     def __init__(self, checkout: Path) -> None:
         """checkout: the copy."""
         self._checkout = checkout
+        self._times = itertools.count(1)
         self._sound: dict[str, bool] = {}  # tests -> whether they pass here, with the package as it is
 
     def stops(self, mutant: Mutant, seconds: dict[str, float]) -> bool:
-        """Whether tests that pass otherwise fail, or take far longer than the seconds that they do."""
-        left = dict(seconds)
+        """Whether tests that pass otherwise fail, or take far longer than the seconds that they do.
+
+        A few are run first, for it takes seconds to collect tests of many files.
+        """
+        tests = list(seconds.items())
+        return self._stops(mutant, dict(tests[:FEW])) or self._stops(mutant, dict(tests[FEW:]))
+
+    def _stops(self, mutant: Mutant, left: dict[str, float]) -> bool:
         while left:
             failed = self._failed(mutant, left)
             if failed not in left:  # none, or all of them: they cannot be read, or take too long
@@ -152,12 +162,11 @@ class Trial:
 
     def _failed(self, mutant: Mutant, seconds: dict[str, float]) -> str | None:
         """The first test that fails of a mutant, "" if all of them do; the file is as it was afterwards."""
-        path = self._checkout / "sss_ref" / mutant.path
-        path.write_text(mutant.source, encoding="utf-8")
+        self._write(mutant.path, mutant.source)
         try:
             code = run(self._checkout, ["-x", *seconds], round(60 + 4 * sum(seconds.values())))
         finally:
-            path.write_text(mutant.text, encoding="utf-8")
+            self._write(mutant.path, mutant.text)
         printed = (self._checkout / PRINTED).read_text(encoding="utf-8").splitlines()
         said = [line.partition(" ")[2] for line in printed if line.startswith(("FAILED ", "ERROR "))]
         return (
@@ -165,6 +174,13 @@ class Trial:
             if code == 0
             else next((test for test in seconds for line in said if f"{line} ".startswith(f"{test} ")), "")
         )
+
+    def _write(self, path: Path, source: str) -> None:
+        """Change a file, with a time that no bytecode of it was made at."""
+        changed = self._checkout / "sss_ref" / path
+        changed.write_text(source, encoding="utf-8")
+        time = next(self._times)
+        os.utime(changed, (time, time))
 
 
 def run(checkout: Path, words: list[str], limit: int) -> int | None:
@@ -189,9 +205,9 @@ def run_here(checkout: Path, words: list[str], limit: int) -> None:
     os.dup2(printed, 1)
     os.dup2(printed, 2)
     cached = str(checkout.parent.parent / "cache")
-    os.environ |= {"PYTHONPATH": str(checkout), "PYTHONDONTWRITEBYTECODE": "1", "SSS_REF_CACHE_DIR": cached}
-    sys.dont_write_bytecode = True
+    os.environ |= {"PYTHONPATH": str(checkout), "SSS_REF_CACHE_DIR": cached}
     sys.path.insert(0, str(checkout))
+    sys.dont_write_bytecode, sys.pycache_prefix = False, None  # of the copy, for the next mutant
     sys.argv = ["pytest"]
     os._exit(pytest.main(["-q", "-n", "0", "-p", "no:cacheprovider", *words]))
 

@@ -233,6 +233,10 @@ REFUSED = {
         ply(VERTEX, FACE).partition(b"end_header")[0],
         "expected a ply header that ends with end_header, got none" + AGAIN,
     ),
+    "an endless header": (
+        ply(VERTEX, FACE, comments=["comment " + "x" * 2**20]),
+        "expected a ply header that ends with end_header, got none" + AGAIN,
+    ),
     "no format": (
         ply(VERTEX, FACE).replace(b"format ascii 1.0\n", b""),
         'expected a ply header: format, element and property lines, got "end_header" in line 8' + AGAIN,
