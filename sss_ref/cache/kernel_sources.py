@@ -17,13 +17,21 @@ def sources_hash(module_file: str) -> str | None:
     own = "".join(linecache.getlines(module_file))
     if not own:
         return None
-    texts, todo = {module_file: own}, [own]
+    hashes, todo = {module_file: ""}, [own]
     while todo:
         for path in imported(todo.pop()):
-            if str(path) not in texts:
-                todo.append(texts.setdefault(str(path), path.read_text(encoding="utf-8")))
-    del texts[module_file]
-    return hashlib.sha256(repr([own, *sorted(texts.items())]).encode()).hexdigest()
+            if str(path) not in hashes:
+                text, hashes[str(path)] = _read(path)
+                todo.append(text)
+    del hashes[module_file]
+    return hashlib.sha256(repr([own, *sorted(hashes.items())]).encode()).hexdigest()
+
+
+@cache
+def _read(path: Path) -> tuple[str, str]:
+    """A file's text and the hash of it; kept, for many kernels share them."""
+    text = path.read_text(encoding="utf-8")
+    return text, hashlib.sha256(text.encode()).hexdigest()
 
 
 @cache

@@ -52,6 +52,7 @@ def test_every_file_that_is_reached_counts(tmp_path, monkeypatch):
         for name, text in (texts | changes).items():
             (package / f"{name}.py").write_text(text)
         sources_hash.cache_clear()
+        kernel_sources._read.cache_clear()
         kernel_sources.linecache.clearcache()
         return sources_hash(str(package / "a.py"))
 
