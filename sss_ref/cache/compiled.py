@@ -16,6 +16,7 @@ from typing import Any
 import numba
 from numba.core.ccallback import CFunc
 
+from sss_ref.cache.address_files import AddressFiles
 from sss_ref.cache.kernel_files import SUFFIX, KernelFiles
 from sss_ref.cache.root import cache_below
 
@@ -45,20 +46,20 @@ def is_cold() -> bool:
 
 def compiled(function: Callable[..., Any]) -> Callable[..., Any]:
     """Compile `function` under the arithmetic contract (decorator): no GIL, IEEE division, no fast-math, cached."""
-    kernel: Callable[..., Any] = _keeping(numba.njit(**CONTRACT)(function), function)
+    kernel: Callable[..., Any] = _keeping(numba.njit(**CONTRACT)(function), function, KernelFiles)
     return kernel
 
 
 def callable_compiled(function: Callable[..., Any], signature: Any) -> Any:
     """Compile `function` at once, under the same contract and cached, as one that is called by its `address`."""
     callback = CFunc(function, (signature.args, signature.return_type), {}, {"error_model": CONTRACT["error_model"]})
-    _keeping(callback, function).compile()
+    _keeping(callback, function, AddressFiles).compile()
     return callback
 
 
-def _keeping(kernel: Any, function: Callable[..., Any]) -> Any:
+def _keeping(kernel: Any, function: Callable[..., Any], files: type[KernelFiles]) -> Any:
     """The same kernel with its machine code kept in files, if there is a folder for them."""
     folder = cache_folder()
     if folder and not SETTINGS.DISABLE_JIT:
-        kernel._cache = KernelFiles(folder, function)
+        kernel._cache = files(folder, function)
     return kernel

@@ -31,6 +31,8 @@ class KernelFiles:
     folder: where the files are, which the caller names by compiler, versions and settings.
     """
 
+    suffix = SUFFIX
+
     def __init__(self, folder: Path, function: Any) -> None:
         self.cache_path = str(folder)
         self._folder, self._function = folder, function
@@ -40,20 +42,28 @@ class KernelFiles:
         MEMORY.initialize(target)  # of what numba's own cache makes ready here, machine code needs no more
         path = self._path(types, target.codegen())
         reduced = path and _kept(path)
-        return COMPILE_RESULT._rebuild(target, *pickle.loads(reduced)) if reduced else None
+        return self.rebuilt(pickle.loads(reduced), target) if reduced else None
 
     def save_overload(self, types: Any, result: Any) -> None:
         """Keep a compiled function."""
         path = self._path(types, result.codegen)
         if path is None or result.library.has_dynamic_globals:
             return
-        reduced = DUMPS(result._reduce())
+        reduced = DUMPS(self.reduced(result))
         part = path.with_suffix(f".{os.getpid()}.part")
         try:
             part.write_bytes(_digest(path, reduced) + reduced)
             part.replace(path)
         except OSError as error:
             _say(path, "a file that can be written", error.strerror or "none", "the next process compiles again")
+
+    def reduced(self, result: Any) -> Any:
+        """What of a compiled function is kept."""
+        return result._reduce()
+
+    def rebuilt(self, kept: Any, target: Any) -> Any:
+        """The compiled function of what was kept."""
+        return COMPILE_RESULT._rebuild(target, *kept)
 
     def _path(self, types: Any, codegen: Any) -> Path | None:
         """The file for these argument types and this processor (None: a function whose source nobody knows)."""
@@ -62,7 +72,7 @@ class KernelFiles:
             return None
         name = self._function.__qualname__
         key = repr([sources, self._function.__module__, name, str(types), codegen.magic_tuple()])
-        return self._folder / f"{name}-{hashlib.sha256(key.encode()).hexdigest()[:DIGEST]}{SUFFIX}"
+        return self._folder / f"{name}-{hashlib.sha256(key.encode()).hexdigest()[:DIGEST]}{self.suffix}"
 
 
 def _kept(path: Path) -> bytes | None:
