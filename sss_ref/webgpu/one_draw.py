@@ -1,7 +1,7 @@
 """One draw of WebGPU: a mesh or a rectangle, by given shaders, into fresh textures."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from sss_ref.webgpu.textures import DEPTH, format_of, target
 from sss_ref.webgpu.wgsl_program import MeshInput, WgslProgram
 
 if TYPE_CHECKING:
-    from wgpu import GPUBuffer, GPUDevice, GPUTexture
+    from wgpu import GPUBuffer, GPUCommandEncoder, GPUDevice, GPUTexture
 
 CORNERS = 4  # of a rectangle, as a triangle strip
 
@@ -21,12 +21,13 @@ CORNERS = 4  # of a rectangle, as a triangle strip
 class DrawnMesh:
     """Triangles to draw in order: attribute -> float32 (V, C), corners int32 (T, 3), nearest first.
 
-    later_wins: whether of two at one depth the later counts, not the earlier.
+    later_wins: whether of two at one depth the later counts, not the earlier. buffers: what is uploaded of it so far.
     """
 
     attributes: Mapping[str, np.ndarray]
     triangles: np.ndarray
     later_wins: bool = False
+    buffers: "dict[str, GPUBuffer]" = field(default_factory=dict)
 
 
 class OneDraw:
@@ -50,16 +51,19 @@ class OneDraw:
         known = MeshInput(channels, mesh.later_wins) if mesh else None
         self.program = WgslProgram.compiled(device, pair, formats, known)
 
-    def run(
-        self, textures: "Mapping[str, GPUTexture]", uniforms: Mapping[str, Any], size: tuple[int, int]
+    def record(
+        self,
+        encoder: "GPUCommandEncoder",
+        textures: "Mapping[str, GPUTexture]",
+        uniforms: Mapping[str, Any],
+        size: tuple[int, int],
     ) -> "dict[str, GPUTexture]":
-        """Draw into fresh textures of this size, by buffer.
+        """Fresh textures of this size, by buffer, into which is drawn as soon as the encoder's commands are submitted.
 
         textures, uniforms: all that may be read, by the names of the stages. Raises ShaderError for any other name.
         """
         groups = self.program.groups(_in_wgsl(textures), _in_wgsl(uniforms))
-        written = {name: target(self.device, size, format_of(kind)) for name, (kind, _) in self.targets.items()}
-        encoder = self.device.create_command_encoder()
+        written = {name: target(self.device, size, format_of(kind), name) for name, (kind, _) in self.targets.items()}
         depth = {"depth_stencil_attachment": self._depth(size)} if self.mesh else {}
         one = encoder.begin_render_pass(color_attachments=self._attachments(written), **depth)
         one.set_pipeline(self.program.pipeline)
@@ -69,7 +73,6 @@ class OneDraw:
             one.set_vertex_buffer(slot, self._corners(name))
         one.draw(self.mesh.triangles.size if self.mesh else CORNERS)
         one.end()
-        self.device.queue.submit([encoder.finish()])
         return written
 
     def _attachments(self, written: "Mapping[str, GPUTexture]") -> list[dict[str, Any]]:
@@ -88,9 +91,12 @@ class OneDraw:
         import wgpu
 
         assert self.mesh
-        corners = self.mesh.attributes[attribute][self.mesh.triangles.ravel()]
-        data = np.ascontiguousarray(corners, np.float32)
-        return self.device.create_buffer_with_data(data=data, usage=wgpu.BufferUsage.VERTEX)
+        held = self.mesh.buffers
+        if attribute not in held:
+            corners = self.mesh.attributes[attribute][self.mesh.triangles.ravel()]
+            data = np.ascontiguousarray(corners, np.float32)
+            held[attribute] = self.device.create_buffer_with_data(data=data, usage=wgpu.BufferUsage.VERTEX)
+        return held[attribute]
 
 
 def _in_wgsl(named: Mapping[str, Any]) -> dict[str, Any]:

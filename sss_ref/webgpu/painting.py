@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +19,7 @@ from sss_ref.webgpu.one_draw import DrawnMesh, OneDraw
 from sss_ref.webgpu.textures import downloaded, uploaded
 
 if TYPE_CHECKING:
-    from wgpu import GPUDevice, GPUTexture
+    from wgpu import GPUCommandEncoder, GPUDevice, GPUTexture
 
 
 def draw(
@@ -66,20 +66,33 @@ def _painting(scene: Scene, words: str) -> "Iterator[Painter[GPUTexture]]":
 
 @dataclass
 class _WebGpuPainter:
-    """Draws the passes of a scene by WebGPU."""
+    """Draws the passes of a scene by WebGPU, all at once as soon as something is read.
+
+    So all uploads come before all draws: a capture of RenderDoc, replayed, overwrites memory for later uploads without
+    waiting for the draws that still read it.
+    meshes: pass -> what it draws. encoder: of what is to be drawn.
+    """
 
     scene: Scene
     device: "GPUDevice"
+    meshes: dict[str, DrawnMesh | None] = field(default_factory=dict)
+    encoder: "GPUCommandEncoder | None" = None
     dialect = WGSL
 
     def prepared(
         self, this_pass: Pass, pair: ShaderPair
     ) -> "Callable[[Mapping[str, GPUTexture]], dict[str, GPUTexture]]":
         """A draw, compiled."""
-        mesh = self.mesh_drawn(this_pass)
+        mesh = self.meshes.setdefault(this_pass.name, self.mesh_drawn(this_pass))
         targets = {name: (this_pass.values[name], self.scene.clear(name)) for name in pair.outputs}
         one = OneDraw(self.device, pair, targets, mesh)
-        return lambda read: one.run({**self.textures, **read}, self.scene.uniforms, self.scene.size(this_pass))
+
+        def run(read: "Mapping[str, GPUTexture]") -> "dict[str, GPUTexture]":
+            self.encoder = self.encoder or self.device.create_command_encoder()
+            given = {**self.textures, **read}
+            return one.record(self.encoder, given, self.scene.uniforms, self.scene.size(this_pass))
+
+        return run
 
     def mesh_drawn(self, this_pass: Pass) -> DrawnMesh | None:
         """The corners of a pass's triangles; None for a rectangle."""
@@ -95,6 +108,9 @@ class _WebGpuPainter:
 
     def downloaded(self, texture: "GPUTexture", kind: Any) -> np.ndarray:
         """The buffer of a type that a texture holds."""
+        if self.encoder:
+            self.device.queue.submit([self.encoder.finish()])
+            self.encoder = None
         return downloaded(self.device, texture, kind)
 
     @cached_property

@@ -30,13 +30,14 @@ def format_of(kind: Any) -> str:
     return FORMATS[dtype_of(kind).kind, channels_in(kind)]
 
 
-def target(device: "GPUDevice", size: tuple[int, int], texture_format: str) -> "GPUTexture":
-    """An empty texture to draw into, and to read."""
+def target(device: "GPUDevice", size: tuple[int, int], texture_format: str, label: str = "") -> "GPUTexture":
+    """An empty texture to draw into, and to read. label: what messages and captures call it."""
     import wgpu
 
     usage = wgpu.TextureUsage
     kept = 0 if texture_format == DEPTH else usage.TEXTURE_BINDING | usage.COPY_SRC
-    return device.create_texture(size=(*size, 1), format=texture_format, usage=usage.RENDER_ATTACHMENT | kept)
+    usage_here = usage.RENDER_ATTACHMENT | kept
+    return device.create_texture(label=label, size=(*size, 1), format=texture_format, usage=usage_here)
 
 
 def uploaded(device: "GPUDevice", data: np.ndarray) -> "GPUTexture":

@@ -46,7 +46,9 @@ def test_a_stage_is_drawn_from_buffers_and_uniforms(device):
     one = Pass("own", "camera", ScreenDraw(), (told,))
     (pair,) = own_shaders(one, {"value"}, ["kind", "scaled"], {}, None, WGSL)
     targets = {name: (one.values[name], 77.0) for name in pair.outputs}
-    drawn = OneDraw(device, pair, targets).run({"value": uploaded(device, value)}, uniforms, (3, 2))
+    encoder = device.create_command_encoder()
+    drawn = OneDraw(device, pair, targets).record(encoder, {"value": uploaded(device, value)}, uniforms, (3, 2))
+    device.queue.submit([encoder.finish()])
     kind, scaled = (downloaded(device, drawn[name], one.values[name]) for name in ("kind", "scaled"))
     np.testing.assert_array_equal(kind, [[13, 14, 12], [12, 12, 12]])
     np.testing.assert_array_equal(scaled, value[..., None] * np.float32([1, 2, 3]))
@@ -62,4 +64,6 @@ def test_what_nobody_gives_is_told(device):
     with pytest.raises(
         ShaderError, match=r"^own: expected names of earlier buffers or uniforms \(ambient\), got albedo; "
     ):
-        OneDraw(device, pair, {"phong": (vec3, 0.0)}).run({}, {"ambient": 0.5}, (1, 1))
+        OneDraw(device, pair, {"phong": (vec3, 0.0)}).record(
+            device.create_command_encoder(), {}, {"ambient": 0.5}, (1, 1)
+        )
