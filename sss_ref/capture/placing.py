@@ -136,7 +136,7 @@ class _Board:
 
     def candidate(self, surface: int, name: str) -> Candidate | None:
         """A surface as a buffer; what its values do not tell of rows and channels is as in the others."""
-        free, predicted = self.free(surface), self.predicted.get(name)
+        free, predicted = self.free_for(surface, name), self.predicted.get(name)
         found = self.comparison.candidate(surface, name, free, predicted)
         if found is None or self.is_told(found):
             return found
@@ -168,6 +168,12 @@ class _Board:
         """The channels of a surface that are no buffer's yet."""
         taken = {c for each in self.places.values() if each.surface == surface for c in each.channels}
         return tuple(c for c in range(len(self.surfaces[surface].channels)) if c not in taken)
+
+    def free_for(self, surface: int, name: str) -> tuple[int, ...]:
+        """Those that may be this buffer: an opacity, which many pictures share, is a mask only where no other is."""
+        opacity = self.surfaces[surface].opacity
+        masked = self.wanted[name].slot.dtype.kind == "u" and not self.with_spare
+        return tuple(c for c in self.free(surface) if c != opacity or not masked)
 
     def is_free(self, each: Candidate) -> bool:
         """Whether neither its buffer nor its channels are taken."""

@@ -52,7 +52,7 @@ class Recognized:
         usual = self.placed.usual_origin
         if each.candidate.close < FITS:
             yield f"{each.surface} is like it in structure, but not in its numbers"
-        if each.candidate.origin != usual:
+        if each.candidate.origin != usual and not each.surface.is_even:
             yield f"the rows of {each.surface} begin at the {each.candidate.origin}, those of most files at the {usual}"
         if not each.candidate.is_in_order:
             yield f"the channels of {each.surface} are in the order {', '.join(each.channel_names)}"

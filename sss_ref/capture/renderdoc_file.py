@@ -41,6 +41,7 @@ REASONS = {  # RenderDoc's code -> what was expected, what came, what to do
     "APIInitFailed": ("a driver that replays {driver}", "none", "install Mesa's (Debian: libegl1 mesa-vulkan-drivers)"),
 }
 UNORM24 = 2**24 - 1
+LOWEST_BIT = {"OpenGL": 8, "Vulkan": 0}  # of a depth of 24 bits in its 32
 
 
 def is_capture(path: Path | None) -> bool:
@@ -150,10 +151,10 @@ def _texels(known: Mapping[str, Any], work: Path, where: str) -> StoredTexels:
         return parts_of(file)[0]
     width, height = known["size"]
     data = np.fromfile(file, np.uint8)
-    if known["format"] != "D24" or data.size != 4 * width * height:
+    if known["format"] != "D24" or known["api"] not in LOWEST_BIT or data.size != 4 * width * height:
         remedy = "export it by hand, and give the folder with --auto"
         raise DumpError(told(where, "a format that DDS files have, or D24", known["format"], remedy))
-    depth = (data.view("<u4") >> 8) / UNORM24
+    depth = (data.view("<u4") >> LOWEST_BIT[known["api"]] & UNORM24) / UNORM24
     return StoredTexels(depth.astype(np.float32).reshape(height, width, 1)[::-1], ("R",), "float32")
 
 

@@ -10,7 +10,8 @@ import sys
 from collections.abc import Iterator
 from typing import Any
 
-DRAWN, DEPTH = "draw", "depth"
+DEPTH = "depth"
+ANEW = ("Clear", "Don't Care")  # how a render pass may begin
 
 
 def main(capture: str, folder: str) -> None:
@@ -52,7 +53,10 @@ class Replay:
                     yield self.picture(action, groups, number, target)
 
     def last_of_runs(self) -> Iterator[tuple[Any, list[str]]]:
-        """The last of all draws one after the other into the same targets, with the debug groups around it."""
+        """The last of all draws one after the other into the same targets, with the debug groups around it.
+
+        What clears the targets, or may, stands between: a clear, or in Vulkan the begin of a render pass.
+        """
         before: tuple[Any, list[str]] | None = None
         for action, groups in self.actions(self.controller.GetRootActions(), []):
             if before and self.targets(before[0]) != self.targets(action):
@@ -65,9 +69,18 @@ class Replay:
         """All draws and clears in order."""
         wanted = self.rd.ActionFlags.Drawcall | self.rd.ActionFlags.Clear
         for action in actions:
-            if action.flags & wanted:
+            if action.flags & wanted or self.begins_anew(action):
                 yield action, groups
-            yield from self.actions(action.children, [*groups, action.GetName(self.controller.GetStructuredFile())])
+            yield from self.actions(action.children, [*groups, self.named(action)])
+
+    def begins_anew(self, action: Any) -> bool:
+        """Whether a render pass begins that does not load what its targets hold: "vkCmdBeginRenderPass(C=Clear)"."""
+        is_begin = action.flags & self.rd.ActionFlags.BeginPass
+        return bool(is_begin) and any(word in self.named(action) for word in ANEW)
+
+    def named(self, action: Any) -> str:
+        """What a list of all actions calls it."""
+        return str(action.GetName(self.controller.GetStructuredFile()))
 
     def targets(self, action: Any) -> tuple[Any, ...]:
         """What a draw draws into; a clear is none."""
@@ -80,8 +93,9 @@ class Replay:
         known = {
             "event": action.eventId,
             "target": number,
-            "draw": action.GetName(self.controller.GetStructuredFile()),
+            "draw": self.named(action),
             "groups": groups,
+            "api": self.rd.GraphicsAPI(self.controller.GetAPIProperties().pipelineType).name,
             "name": self.names[target.resourceId],
             "format": texture.format.Name(),
             "size": [max(texture.width >> target.firstMip, 1), max(texture.height >> target.firstMip, 1)],

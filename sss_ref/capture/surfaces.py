@@ -80,6 +80,12 @@ class Unnamed:
         """Whether it is the same upside down."""
         return bool((self.values == self.values[::-1]).all())
 
+    @cached_property
+    def opacity(self) -> int | None:
+        """The alpha of a colour, if it only says where something is drawn, being 0 or 1; None of other pictures."""
+        alpha = self.channels.index("A") if len(self.channels) == len("RGBA") and "A" in self.channels else None
+        return alpha if alpha is not None and np.isin(self.values[..., alpha], (0.0, 1.0)).all() else None
+
     @property
     def usual_origin(self) -> Origin:
         """The row that files of its kind begin with."""

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from frame_capture import captured as capture_of
+from frame_capture import captured_of_vulkan, captured_passes
 
 from sss_ref.capture import renderdoc_file
 from sss_ref.capture.placing import place
@@ -34,6 +35,40 @@ def test_every_buffer_of_the_frame_is_found(frame, oracle, tmp_path, capsys):
     assert "_depth.npy: left out, it holds the same as" in printed.err
     assert main(["validate", "sphere", str(tmp_path / "mapping.toml"), *SMALL]) == 0
     assert f"{len(oracle.buffers)} buffers, every stage gives what it should" in capsys.readouterr().out
+
+
+@pytest.fixture(scope="module")
+def vulkan_frame(tmp_path_factory):
+    return captured_of_vulkan(tmp_path_factory.mktemp("vulkan"), "sphere", SIZES, named=False)
+
+
+def test_every_buffer_of_a_frame_of_vulkan_is_found_without_names(vulkan_frame, oracle, tmp_path, capsys):
+    """Colours have an alpha there, 1 where something is drawn: no mask is taken for one of these."""
+    arguments = ["import", str(vulkan_frame), "sphere", "-o", str(tmp_path), *SMALL]
+    assert main(arguments) == 0
+    printed = capsys.readouterr()
+    lines = dict(line.split(": ", 1) for line in printed.out.splitlines()[:-1])
+    assert lines.keys() == oracle.buffers.keys()
+    assert len({line.partition(",")[0] for line in lines.values()}) == len(lines)
+    assert all("left out, it holds the same as" in line for line in printed.err.splitlines())
+    assert main(["validate", "sphere", str(tmp_path / "mapping.toml"), "--profile", "wgsl", *SMALL]) == 0
+
+
+def test_textures_have_their_names_in_vulkan(oracle, tmp_path, capsys):
+    frame = captured_of_vulkan(tmp_path, "sphere", SIZES, named=True)
+    assert main(["import", str(frame), "-o", str(tmp_path / "new")]) == 0
+    named = {line.rpartition(", ")[2] for line in capsys.readouterr().out.splitlines()[:-1]}
+    assert named >= oracle.buffers.keys()
+
+
+def test_of_render_passes_what_each_leaves_before_the_next_clears_it(tmp_path):
+    """The second pass clears what the first drew, the third does not; a depth of 24 bits is in the lower ones there."""
+    found, notes = renderdoc_file.captured(captured_passes(tmp_path), tmp_path)
+    assert not notes
+    first, depth, second, _ = (each.texels.data for each in found)
+    assert (first[..., 2] == 1).all() and (second[..., 2] == 3).all()
+    assert first[0, 0, :2].tolist() == [0.5, 2.5]  # the bottom row first, as y points down
+    assert np.unique(depth).tolist() == [np.float32(0x400000 / (2**24 - 1))]
 
 
 def test_a_capture_is_judged_at_once(frame, capsys):
@@ -91,6 +126,17 @@ def test_what_is_called_like_a_buffer_is_that_buffer(oracle):
     (name, found), *others = place(files, oracle).placements.items()
     assert (name, found.surface, found.candidate.origin) == ("phong", files[1], "top")
     assert not others
+
+
+def test_an_opacity_is_no_mask_where_there_are_masks(oracle):
+    """Every colour has the coverage in its alpha, as those of Vulkan and WebGPU have."""
+    opacity = oracle["coverage"].astype(np.float32)
+    files = [
+        unnamed(name, np.dstack([data, opacity]) if data.shape[2:] == (3,) else data)
+        for name, data in oracle.buffers.items()
+    ]
+    found = place(files, oracle).placements
+    assert {name: each.surface.path.stem for name, each in found.items()} == {name: name for name in oracle.buffers}
 
 
 def test_depths_that_are_tested_against_stand_back(oracle):
