@@ -5,6 +5,7 @@
 
 import numpy as np
 
+from sss_ref.cache.compiled import compiled
 from sss_ref.interpret.work import Work
 from sss_ref.language.pipeline import Pass
 from sss_ref.passes.irradiance import dilate
@@ -28,10 +29,21 @@ def carried_over(work: Work, rows: slice) -> np.ndarray:
 
 def border(mask: np.ndarray, rows: slice) -> np.ndarray:
     """Where a mask, uint8 (H, W), is 0 and 1 at one of the eight neighbours, in some of its rows: bool (R, W)."""
-    first, stop = max(rows.start - 1, 0), min(rows.stop + 1, len(mask))
-    beyond = (first - (rows.start - 1), rows.stop + 1 - stop)
-    around = np.pad(mask[first:stop] != 0, (beyond, (1, 1)))
-    tall = around[:-2] | around[1:-1] | around[2:]
-    beside = tall[:, :-2] | tall[:, 1:-1] | tall[:, 2:]
-    found: np.ndarray = beside & ~around[1:-1, 1:-1]
+    found = np.empty((min(rows.stop, len(mask)) - rows.start, mask.shape[1]), np.bool_)
+    find_border(mask, rows.start, found)
     return found
+
+
+@compiled
+def find_border(mask, first_row, found):
+    """Fill in the `border` from a row on, bool (R, W); beyond the mask's own edges is what is at them."""
+    last_row, width = mask.shape[0] - 1, mask.shape[1]
+    tall = np.zeros(width + 2, np.uint8)  # a texel with those above and below, and nothing on either side
+    for k in range(len(found)):
+        row = first_row + k
+        below, above = max(row - 1, 0), min(row + 1, last_row)
+        for column in range(width):
+            tall[column + 1] = mask[below, column] | mask[row, column] | mask[above, column]
+        for column in range(width):
+            beside = tall[column] | tall[column + 1] | tall[column + 2]
+            found[k, column] = (beside != 0) & (mask[row, column] == 0)
