@@ -95,20 +95,25 @@ def run_rows(where, first_row, filling, clearing, scratch):
     """
     numbers, width = scratch.view(np.int32), where.shape[1]
     count, empty = 0, 0
-    for row in range(len(where)):
-        for column in range(width):
-            index = np.int32((first_row + row) * width + column)
-            if where[row, column]:
-                numbers[INDEX * STRIP + count] = index
-                numbers[COLUMN * STRIP + count] = np.int32(column)
-                numbers[ROW * STRIP + count] = np.int32(first_row + row)
-                count += 1
+    for k in range(len(where)):
+        row, column = first_row + k, 0
+        while column < width:
+            inside, end = where[k, column], end_of_run(where[k], column)
+            while column < end:
+                taken = min(end - column, STRIP - (count if inside else empty))
+                index = row * width + column
+                if inside:
+                    put_down(numbers, INDEX, count, taken, index, 1)
+                    put_down(numbers, COLUMN, count, taken, column, 1)
+                    put_down(numbers, ROW, count, taken, row, 0)
+                    count += taken
+                else:
+                    put_down(numbers, EMPTY, empty, taken, index, 1)
+                    empty += taken
+                column += taken
                 if count == STRIP:
                     run(filling, scratch, count)
                     count = 0
-            else:
-                numbers[EMPTY * STRIP + empty] = index
-                empty += 1
                 if empty == STRIP:
                     run(clearing, scratch, empty)
                     empty = 0
@@ -117,6 +122,24 @@ def run_rows(where, first_row, filling, clearing, scratch):
             count = 0
     run(filling, scratch, count)
     run(clearing, scratch, empty)
+
+
+@compiled
+def end_of_run(row, begin):
+    """The first column behind `begin` where a row, bool (W,), is not what it is there, or W."""
+    rest, here = row[begin:], row[begin]
+    for k in range(len(rest)):
+        if rest[k] != here:
+            return begin + k
+    return len(row)
+
+
+@compiled
+def put_down(numbers, row, at, count, first, step):
+    """Write whole numbers into a row of the scratch from one fragment on: `first`, then each `step` more."""
+    for k in range(count):
+        place = np.uint64(row * STRIP + at + k)  # as it is never below 0, no element is counted from the end
+        numbers[place] = first + k * step
 
 
 @compiled
