@@ -9,6 +9,7 @@ from sss_ref.interpret.kernel.row_memory import (
     put_word,
     read_float,
     read_int,
+    reread_float,
     texel_byte,
     texel_float,
     texel_int,
@@ -16,6 +17,8 @@ from sss_ref.interpret.kernel.row_memory import (
     write_int,
 )
 from sss_ref.language.types import ivec2
+
+PACK = 8  # columns of a vertex that are interpolated side by side
 
 
 @compiled
@@ -182,8 +185,14 @@ def weights(scratch, count, rows, uniforms, tables):
         write_float(6, scratch, total + k, (wa + wb) + wc)
 
 
+@compiled
+def mixed(values, weights, total):
+    """What is interpolated (rule R5), from the three corners' values and weights."""
+    return ((values[0] * weights[0] + values[1] * weights[1]) + values[2] * weights[2]) / total
+
+
 def varying(scratch, count, rows, uniforms, tables):
-    """What is interpolated (rule R5): rows the seven of `weights`, then the values; tables as in `take_words`."""
+    """What is interpolated: rows the seven of `weights`, then the values; tables as in `take_words`."""
     address, columns, first, channels = tables[0], tables[1], tables[2], tables[3]
     a, b, c, wa, wb, wc, total = rows[0], rows[1], rows[2], rows[3], rows[4], rows[5], rows[6]
     for channel in range(channels):
@@ -192,11 +201,45 @@ def varying(scratch, count, rows, uniforms, tables):
             at_a = texel_float(address, np.int64(read_int(scratch, a + k)) * columns + column)
             at_b = texel_float(address, np.int64(read_int(scratch, b + k)) * columns + column)
             at_c = texel_float(address, np.int64(read_int(scratch, c + k)) * columns + column)
-            part_a, part_b = at_a * read_float(scratch, wa + k), at_b * read_float(scratch, wb + k)
-            mixed = (part_a + part_b) + at_c * read_float(scratch, wc + k)
-            write_float(0, scratch, value + k, mixed / read_float(scratch, total + k))
+            weights = read_float(scratch, wa + k), read_float(scratch, wb + k), read_float(scratch, wc + k)
+            write_float(0, scratch, value + k, mixed((at_a, at_b, at_c), weights, read_float(scratch, total + k)))
+
+
+def varying_pack(scratch, count, rows, uniforms, tables):
+    """PACK columns that lie side by side in a vertex: rows as in `varying`, then a `Program.block` of as many.
+
+    tables as in `take_words`; since PACK is among them, the loop over the columns stays a loop, which LLVM computes at
+    once. What it gives fragment after fragment is then sorted into rows.
+    """
+    address, columns, first, channels = tables[0], tables[1], tables[2], tables[3]
+    a, b, c, wa, wb, wc, total, pack = rows[0], rows[1], rows[2], rows[3], rows[4], rows[5], rows[6], rows[15]
+    for k in range(count):
+        at_a = np.int64(read_int(scratch, a + k)) * columns + first
+        at_b = np.int64(read_int(scratch, b + k)) * columns + first
+        at_c = np.int64(read_int(scratch, c + k)) * columns + first
+        weights = read_float(scratch, wa + k), read_float(scratch, wb + k), read_float(scratch, wc + k)
+        for channel in range(channels // PACK * PACK):
+            values = (
+                texel_float(address, at_a + channel),
+                texel_float(address, at_b + channel),
+                texel_float(address, at_c + channel),
+            )
+            value = mixed(values, weights, read_float(scratch, total + k))
+            write_float(8, scratch, pack + k * PACK + channel, value)
+    row_0, row_1, row_2, row_3 = rows[7], rows[8], rows[9], rows[10]
+    row_4, row_5, row_6, row_7 = rows[11], rows[12], rows[13], rows[14]
+    for k in range(count):
+        place = pack + k * PACK
+        write_float(0, scratch, row_0 + k, reread_float(8, scratch, place))
+        write_float(1, scratch, row_1 + k, reread_float(8, scratch, place + 1))
+        write_float(2, scratch, row_2 + k, reread_float(8, scratch, place + 2))
+        write_float(3, scratch, row_3 + k, reread_float(8, scratch, place + 3))
+        write_float(4, scratch, row_4 + k, reread_float(8, scratch, place + 4))
+        write_float(5, scratch, row_5 + k, reread_float(8, scratch, place + 5))
+        write_float(6, scratch, row_6 + k, reread_float(8, scratch, place + 6))
+        write_float(7, scratch, row_7 + k, reread_float(8, scratch, place + 7))
 
 
 TAKES, PUTS = {bool: take_bytes, ivec2: take_whole}, {bool: put_bytes, ivec2: put_whole}  # else: take_words, put_words
 MOVES = (take_words, take_bytes, take_whole, put_words, put_bytes, put_whole, clear_words, clear_bytes)
-ALL = (*MOVES, same, triangle, weights, varying)
+ALL = (*MOVES, same, triangle, weights, varying, varying_pack)

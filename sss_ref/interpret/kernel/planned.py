@@ -6,7 +6,7 @@ from typing import Any, get_args, get_origin
 import numpy as np
 
 from sss_ref.interpret.kernel import fragment_rows
-from sss_ref.interpret.kernel.fragment_rows import PUTS, TAKES, put_words, take_words
+from sss_ref.interpret.kernel.fragment_rows import PACK, PUTS, TAKES, put_words, take_words
 from sss_ref.interpret.kernel.lower import scalar_kind, suffixes
 from sss_ref.interpret.kernel.modules import address_of, code_of
 from sss_ref.interpret.kernel.program import COLUMN, EMPTY, INDEX, ROW, Program
@@ -135,11 +135,9 @@ def draw_values(plan: StagePlan, this_pass: Pass, fragments: Fragments, outputs:
         arrays = [(primitives.corners, int), (primitives.snapped, int), (primitives.inverse_w, float)]
         tables = [pieces, *(program.address(contiguous(*each)) for each in arrays), fragments.step]
         program.add(address_of(fragment_rows.weights), [INDEX, COLUMN, ROW, *corners], tables=tables)
-        attributes = contiguous(primitives.attributes, float)
+        values = interpolated(program, corners, contiguous(primitives.attributes, float))
         for name, first in fragments.varyings.items():
-            rows = plan.values[name] = program.rows(CHANNELS[draw.varyings[name]])
-            tables = [program.address(attributes), attributes.shape[1], first, len(rows)]
-            program.add(address_of(fragment_rows.varying), [*corners, *rows], tables=tables)
+            plan.values[name] = values[first : first + CHANNELS[draw.varyings[name]]]
         program.give_back(corners)
     if draw.triangle in plan.last or draw.triangle in outputs:
         rows = plan.values[draw.triangle] = program.rows(1)
@@ -148,6 +146,21 @@ def draw_values(plan: StagePlan, this_pass: Pass, fragments: Fragments, outputs:
     if draw.coverage in plan.last or draw.coverage in outputs:
         rows = plan.values[draw.coverage] = program.rows(1)
         program.add(address_of(fragment_rows.same), rows, [np.ones(1, np.int32).view(FLOAT32)])
+
+
+def interpolated(program: Program, corners: list[int], attributes: np.ndarray) -> list[int]:
+    """The rows of all attributes, float32 (V, A), interpolated: whole packs of them first; corners: as in `weights`."""
+    columns = attributes.shape[1]
+    rows, block, packed = program.rows(columns), program.block(PACK), columns // PACK * PACK
+    for first in range(0, packed, PACK):
+        tables = [program.address(attributes), columns, first, PACK]
+        pack = rows[first : first + PACK]
+        program.add(address_of(fragment_rows.varying_pack), [*corners, *pack, block[0]], tables=tables)
+    if packed < columns:
+        tables = [program.address(attributes), columns, packed, columns - packed]
+        program.add(address_of(fragment_rows.varying), [*corners, *rows[packed:]], tables=tables)
+    program.give_back(block)
+    return rows
 
 
 def cleared(work: Work) -> Program:

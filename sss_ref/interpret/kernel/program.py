@@ -45,6 +45,11 @@ class Program:
         taken, self.free = self.free[:count], self.free[count:]
         return taken
 
+    def block(self, count: int) -> list[int]:
+        """Rows that lie one behind the other."""
+        self.used += count
+        return list(range(self.used - count, self.used))
+
     def give_back(self, rows: Sequence[int]) -> None:
         """Rows whose values are needed no more."""
         self.free += rows
