@@ -35,7 +35,7 @@ def border(mask: np.ndarray, rows: slice) -> np.ndarray:
 
 
 @compiled
-def find_border(mask, first_row, found):
+def find_border(mask: np.ndarray, first_row: int, found: np.ndarray) -> None:
     """Fill in the `border` from a row on, bool (R, W); beyond the mask's own edges is what is at them."""
     last_row, width = mask.shape[0] - 1, mask.shape[1]
     tall = np.zeros(width + 2, np.uint8)  # a texel with those above and below, and nothing on either side
