@@ -1,6 +1,6 @@
 """`sss-ref glsl`, `bundle` and `webgl`: the stages as shaders, and scenes for other renderers."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -9,6 +9,7 @@ from cyclopts import Parameter
 from sss_ref.cli.console import out
 from sss_ref.cli.options import NO_CHANGES, Changes
 from sss_ref.errors import DumpError, SceneError
+from sss_ref.errors.text_file import write_texts
 
 SIDE = 48  # pixels: what a page judges in a few seconds
 
@@ -45,7 +46,7 @@ def glsl(
     method, lengths = loaded.method, array_lengths(loaded.uniforms, DIALECTS[dialect])
     files = shader_files(method, lengths, DIALECTS[dialect], registers) if all or output else {}
     if output is not None:
-        _write(output, files)
+        write_texts(output, files, DumpError)
         out.print(f"{output}: {', '.join(files)}", markup=False)
     elif all:
         out.print("\n".join(f"// {name}\n{text}" for name, text in files.items()), markup=False)
@@ -99,7 +100,7 @@ def webgl(
     if judge:
         loaded = load_scene(scene, **{**changes.overrides(), **reduced(loaded, side or SIDE)})
     path = output or Path("judge.html" if judge else "webgl.html")
-    _write(path.parent, {path.name: (judge_page if judge else page)(loaded)})
+    write_texts(path.parent, {path.name: (judge_page if judge else page)(loaded)}, DumpError)
     out.print(f"{path}: open it in a browser", markup=False)
     return 0
 
@@ -115,13 +116,3 @@ def _found(name: str, passes: "Iterable[Pass]") -> "Stage":
     if name not in stages:
         raise SceneError(f"stage: expected a stage of the scene ({', '.join(stages)}), got {name!r}")
     return stages[name]
-
-
-def _write(folder: Path, files: Mapping[str, str]) -> None:
-    """Write files into a folder, which is made if need be."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        for name, text in files.items():
-            (folder / name).write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise DumpError(f"{folder}: expected a folder to write into, got {error}; choose another") from None

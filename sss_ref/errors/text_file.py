@@ -2,6 +2,7 @@
 
 import re
 import tomllib
+from collections.abc import Mapping
 from pathlib import Path
 from stat import S_ISREG
 from typing import Any
@@ -52,6 +53,20 @@ def write_text(path: Path, text: str, error_class: type[SssRefError]) -> Path:
         came = error.strerror or "none"
         raise error_class(told(str(path), "a file that can be written", came, "choose another")) from None
     return path
+
+
+def write_texts(folder: Path, texts: Mapping[str, str], error_class: type[SssRefError]) -> None:
+    """Write text files, name -> content, into a folder, which is made if need be.
+
+    Raises `error_class` where the folder cannot be made, or as `write_text` does.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        came = error.strerror or "none"
+        raise error_class(told(str(folder), "a folder to write into", came, "choose another")) from None
+    for name, text in texts.items():
+        write_text(folder / name, text, error_class)
 
 
 def toml_of(path: Path, expected: str, error_class: type[SssRefError]) -> dict[str, Any]:

@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 from sss_ref.errors import DumpError
+from sss_ref.errors.text_file import write_texts
 from sss_ref.errors.wording import told
 from sss_ref.yardstick.ladder import Ladder
 from sss_ref.yardstick.ladder_page import as_html
@@ -29,10 +30,5 @@ def write_ladder(ladder: Ladder, folder: Path) -> Path:
         RECORD: json.dumps(as_record(ladder), indent=1) + "\n",
         TABLE: as_markdown(ladder),
     }
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        for name, text in files.items():
-            (folder / name).write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise DumpError(told(str(folder), "a place to write to", error.strerror or "none", "choose another")) from None
+    write_texts(folder, files, DumpError)
     return folder / PAGE

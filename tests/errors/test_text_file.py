@@ -6,7 +6,7 @@ import pytest
 
 from sss_ref.dump.mapping import read_mapping
 from sss_ref.errors import DumpError, ProfileError
-from sss_ref.errors.text_file import BYTE_LIMIT, text_of, write_text
+from sss_ref.errors.text_file import BYTE_LIMIT, text_of, write_text, write_texts
 from sss_ref.validation.profile_file import profile_of
 
 READERS = [(read_mapping, DumpError), (profile_of, ProfileError)]
@@ -54,3 +54,23 @@ def test_a_text_is_written_or_refused_in_one_line(tmp_path):
     with pytest.raises(DumpError) as error:
         write_text(tmp_path, "a", DumpError)
     assert str(error.value) == f"{tmp_path}: expected a file that can be written, got Is a directory; choose another"
+
+
+def test_texts_are_written_into_a_folder_that_is_made(tmp_path):
+    write_texts(tmp_path / "new" / "deep", {"a.txt": "ä\n", "b.txt": ""}, DumpError)
+    assert {path.name: path.read_bytes() for path in (tmp_path / "new" / "deep").iterdir()} == {
+        "a.txt": b"\xc3\xa4\n",
+        "b.txt": b"",
+    }
+    file = tmp_path / "new" / "deep" / "a.txt"
+    for folder, name, line in (
+        (file, "c", f"{file}: expected a folder to write into, got File exists; choose another"),
+        (
+            tmp_path,
+            "new",
+            f"{tmp_path / 'new'}: expected a file that can be written, got Is a directory; choose another",
+        ),
+    ):
+        with pytest.raises(DumpError) as error:
+            write_texts(folder, {name: ""}, DumpError)
+        assert str(error.value) == line

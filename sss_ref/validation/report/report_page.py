@@ -6,6 +6,7 @@ from html import escape
 from pathlib import Path
 
 from sss_ref.errors import DumpError
+from sss_ref.errors.text_file import write_texts
 from sss_ref.explanation.page import html as explained
 from sss_ref.pictures.self_contained import whole_page
 from sss_ref.validation.accept.rebased import Check
@@ -21,13 +22,8 @@ def write_report(report: Report, folder: Path, title: str) -> Path:
 
     title: what was judged, for the page's heading. Raises DumpError for a folder that cannot be written.
     """
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        (folder / "report.json").write_text(json.dumps(as_json(report), indent=1) + "\n", encoding="utf-8")
-        (folder / "report.html").write_text(as_html(report, title), encoding="utf-8")
-    except OSError as error:
-        reason = error.strerror or error
-        raise DumpError(f"{folder}: expected a folder to write the report to, got {reason}; choose another") from None
+    data = json.dumps(as_json(report), indent=1) + "\n"
+    write_texts(folder, {"report.json": data, "report.html": as_html(report, title)}, DumpError)
     return folder / "report.html"
 
 
