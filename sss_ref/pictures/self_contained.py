@@ -6,12 +6,14 @@ from io import BytesIO
 
 import numpy as np
 
+from sss_ref.pictures.page_style import PAGE_STYLE
+
 
 def whole_page(title: str, style: str, body: str) -> str:
-    """A page. title: as plain text. style: CSS. body: HTML."""
+    """A page. title: as plain text. style: CSS, of what is its own. body: HTML."""
     head = f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{escape(title)}</title>'
     viewport = '<meta name="viewport" content="width=device-width, initial-scale=1">'
-    return f"{head}{viewport}<style>{style}</style>{body}</html>\n"
+    return f"{head}{viewport}<style>{PAGE_STYLE}{style}</style>{body}</html>\n"
 
 
 def data_url(pixels: np.ndarray) -> str:

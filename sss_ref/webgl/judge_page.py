@@ -7,6 +7,7 @@ from importlib.resources import files
 
 from sss_ref.errors import SceneError
 from sss_ref.errors.wording import told
+from sss_ref.pictures.page_style import PAGE_STYLE
 from sss_ref.scene.scene import Scene
 from sss_ref.webgl.judge_content import judge_content
 
@@ -32,7 +33,7 @@ def judge_page(scene: Scene) -> str:
     template = (folder / "judge" / "judge.html").read_text(encoding="utf-8")
     return template.format(
         title=escape(f"Is it right? {scene.source}"),
-        style=style,
+        style=PAGE_STYLE + style,
         script="\n".join(scripts),
         content=json.dumps(content).replace("<", "\\u003c"),
         **{name: escape(str(value)) for name, value in content["about"].items()},

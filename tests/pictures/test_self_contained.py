@@ -6,6 +6,7 @@ from io import BytesIO
 import numpy as np
 from PIL import Image
 
+from sss_ref.pictures.page_style import PAGE_STYLE
 from sss_ref.pictures.self_contained import data_url, whole_page
 
 
@@ -18,4 +19,8 @@ def test_a_picture_lies_in_its_address_with_the_bottom_row_last():
 
 def test_a_title_is_text_and_a_body_is_html():
     page = whole_page("a < b", "p { margin: 0 }", "<p>what it says</p>")
-    assert "<title>a &lt; b</title>" in page and "<style>p { margin: 0 }</style><p>what it says</p></html>" in page
+    assert (
+        "<title>a &lt; b</title>" in page
+        and "p { margin: 0 }</style><p>what it says</p></html>" in page
+        and PAGE_STYLE in page
+    )

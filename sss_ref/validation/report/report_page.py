@@ -13,7 +13,7 @@ from sss_ref.validation.accept.rebased import Check
 from sss_ref.validation.report.report import Report
 from sss_ref.validation.report.report_data import as_json
 from sss_ref.validation.report.report_pictures import legend, pictures
-from sss_ref.validation.report.report_style import STYLE
+from sss_ref.validation.report.report_style import REPORT_STYLE
 from sss_ref.validation.report.report_table import buffer_table, power_table
 
 
@@ -32,7 +32,7 @@ def as_html(report: Report, title: str) -> str:
     found = report.finding
     parts = [
         f"<h1>{escape(title)}</h1>{_circumstances(report)}",
-        f'<p class="verdict{"" if report.passed else " fail"}">{escape(report.summary)}</p>',
+        f'<p class="verdict {"passed" if report.passed else "failed"}">{escape(report.summary)}</p>',
         _list(report.details),
         _section("What would explain it", _list(report.explanations)),
         _section(f"{found.check.stage}: {found.check.buffer}", _pictures(found.check)) if found else "",
@@ -43,7 +43,7 @@ def as_html(report: Report, title: str) -> str:
         _section("What metrics of pictures say", _list(map(str, report.likeness))),
         _section("Where the time went", _chips(_times(report))),
     ]
-    return whole_page(title, STYLE, "".join(parts))
+    return whole_page(title, REPORT_STYLE, "".join(parts))
 
 
 def _section(heading: str, content: str) -> str:
