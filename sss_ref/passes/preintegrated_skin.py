@@ -20,7 +20,6 @@ from sss_ref.language import (
     normalize,
     sample_bilinear,
     size,
-    sqrt,
     stage,
     vec2,
     vec3,
@@ -28,7 +27,7 @@ from sss_ref.language import (
     whole_part,
 )
 from sss_ref.passes.phong import Phong, highlight
-from sss_ref.passes.shadow_map import MIN_COSINE, DirectlyLit
+from sss_ref.passes.shadow_map import DirectlyLit, footprint
 
 
 class Curvature(NamedTuple):
@@ -66,9 +65,8 @@ def directly_lit_round(
     to_light = normalize(light_position - position_world)
     facing = dot(normal_world, to_light)
     clip = light_clip_from_world * vec4(position_world, 1.0)
-    cosine = min(max(facing, MIN_COSINE), 1.0)
     texel_width = max(clip.w, 0.0) * light_texel_size
-    bias = bias_abs + bias_slope * (texel_width * (1.0 + sqrt(1.0 - cosine * cosine) / cosine))
+    bias = bias_abs + bias_slope * (texel_width * footprint(facing))
     behind = length(position_world - light_position) - stored_distance
     return DirectlyLit((facing <= 0.0) | (behind <= bias))
 

@@ -155,6 +155,16 @@ class DirectlyLit(NamedTuple):
     directly_lit: bool
 
 
+@function
+def footprint(facing: float) -> float:
+    """How far a texel's footprint on a surface reaches, in texels: one along it, and what it falls away, 1 + tan(a).
+
+    facing: N.L. With c the cosine of the angle a to the light, tan(a) = sqrt(1 - c*c)/c.
+    """
+    cosine = min(max(max(facing, -facing), MIN_COSINE), 1.0)
+    return 1.0 + sqrt(1.0 - cosine * cosine) / cosine
+
+
 @stage(source="paper 3.2, with a bias that follows the slope")
 def directly_lit_slope(
     position_world: vec3,
@@ -168,16 +178,14 @@ def directly_lit_slope(
 ) -> DirectlyLit:
     """Lit if it faces the light and lies no further behind the stored surface than one texel's footprint explains.
 
-    A texel at clip depth w covers w * light_texel_size; a surface tilted by the angle a falls away across it by
-    tan(a) = sqrt(1 - c*c)/c, with c the cosine to the light. Behind the light (w < 0), where its map knows nothing,
-    the light still shines: no bias, and nothing stored to lie behind of.
+    A texel at clip depth w covers w * light_texel_size. Behind the light (w < 0), where its map knows nothing, the
+    light still shines: no bias, and nothing stored to lie behind of.
     """
     to_light = normalize(light_position - position_world)
     facing = dot(normal_world, to_light)
     clip = light_clip_from_world * vec4(position_world, 1.0)
-    cosine = min(max(max(facing, -facing), MIN_COSINE), 1.0)
     texel_width = max(clip.w, 0.0) * light_texel_size
-    bias = bias_abs + bias_slope * (texel_width * (1.0 + sqrt(1.0 - cosine * cosine) / cosine))
+    bias = bias_abs + bias_slope * (texel_width * footprint(facing))
     behind = length(position_world - light_position) - stored_distance
     return DirectlyLit((facing > 0.0) & (behind <= bias))
 

@@ -31,7 +31,7 @@ from sss_ref.language import (
 from sss_ref.passes.blur import EMPTY_SUM
 from sss_ref.passes.irradiance import Irradiance
 from sss_ref.passes.phong import highlight
-from sss_ref.passes.shadow_map import MIN_COSINE, holds_surface, map_coordinates
+from sss_ref.passes.shadow_map import footprint, holds_surface, map_coordinates
 from sss_ref.passes.texture_image import Gloss
 from sss_ref.passes.translucency import Lit
 from sss_ref.passes.transmittance import wrapped
@@ -90,8 +90,7 @@ def light_visible_kernel(
     directly_lit_slope, for a width of a texel and an eighth of the offset.
     """
     facing = dot(normal_world, normalize(light_position - position_world))
-    cosine = min(max(max(facing, -facing), MIN_COSINE), 1.0)
-    falls = 1.0 + sqrt(1.0 - cosine * cosine) / cosine
+    falls = footprint(facing)
     clip = light_clip_from_world * vec4(position_world, 1.0)
     texel_width = max(clip.w, 0.0) * light_texel_size
     row = map_direction(light_clip_from_world)
