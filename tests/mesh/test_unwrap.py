@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scenes import around, cube, sphere, written
 
+from sss_ref.cache.root import cache_below
 from sss_ref.errors import MeshError
 from sss_ref.mesh import unwrap
 from sss_ref.mesh.unwrap import unwrapped
@@ -31,9 +32,16 @@ MAP = 256  # texels across and down, on which the charts of small bodies do not 
 
 @pytest.fixture(autouse=True)
 def cache(tmp_path, monkeypatch):
-    """An empty cache: the folder in which atlases will be kept."""
-    monkeypatch.setenv("SSS_REF_CACHE_DIR", str(tmp_path / "cache"))
-    return tmp_path / "cache" / "unwrapped"
+    """An empty folder in which atlases will be kept; compiled kernels stay where they are."""
+    folder = tmp_path / "cache"
+
+    def cache_of_the_test(name):
+        assert name == "unwrapped"
+        folder.mkdir(exist_ok=True)
+        return folder
+
+    monkeypatch.setattr(unwrap, "cache_below", cache_of_the_test)
+    return folder
 
 
 @pytest.fixture
@@ -151,8 +159,10 @@ def test_a_damaged_atlas_is_made_anew(xatlas, ball, cache, tmp_path, damage):
     assert unwrap._read(kept, load_mesh(Path(ball))) is not None
 
 
-def test_without_a_cache_it_works_all_the_same(xatlas, ball, tmp_path):
-    (tmp_path / "cache").write_text("a file where the folder would be")
+def test_without_a_cache_it_works_all_the_same(xatlas, ball, tmp_path, monkeypatch):
+    (tmp_path / "file").write_text("a file where the folder would be")
+    monkeypatch.setattr(unwrap, "cache_below", cache_below)
+    monkeypatch.setenv("SSS_REF_CACHE_DIR", str(tmp_path / "file"))
     assert isinstance(unwrapped(load_mesh(Path(ball))), Mesh)
 
 

@@ -100,16 +100,16 @@ def test_what_a_texture_may_hold_of_an_interval():
     assert held.low.tolist() == [-1 / 255, 0.5 - 1 / 255] and held.high.tolist() == [0.5 + 1 / 255, 1 + 1 / 255]
 
 
+SMALL = {f"{table}.{side}": 48 for table in ("camera", "shadow_map") for side in ("width", "height")}
+
+
 @pytest.fixture(scope="module")
 def oracle():
-    small = {f"{table}.{side}": 48 for table in ("camera", "shadow_map") for side in ("width", "height")}
-    return render(load_scene("sphere", **small), interpreter="arrays")
+    return render(load_scene("sphere", **SMALL), interpreter="arrays")
 
 
 def test_a_colour_that_a_texture_cut_off_is_no_error(oracle):
-    bright = render(
-        sss_ref.load_scene("sphere", **{"camera.width": 48, "camera.height": 48, "lights.0.intensity": 5.0})
-    )
+    bright = render(sss_ref.load_scene("sphere", **SMALL, **{"lights.0.intensity": 5.0}), interpreter="arrays")
     assert bright["image"].max() > 1
     cut = np.rint(np.clip(bright["image"], 0, 1) * 255).astype(F) / F(255)
     assert sss_ref.validate(bright, {"image": cut}, {"image": "unorm8"}, explain=False).passed

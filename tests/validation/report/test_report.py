@@ -98,7 +98,7 @@ def test_files_with_fewer_bits_than_their_textures(dump, oracle, capsys):
     np.save(dump / "lit.npy", oracle["lit"].astype(np.float16))
     tables = "".join(f'[buffers.{name}]\nfile = "{name}.npy"\n' for name in oracle.buffers if name != "lit")
     mapping = dump / "mapping.toml"
-    arguments = ["validate", "sphere", str(mapping), *SMALL]
+    arguments = ["validate", "sphere", str(mapping), *SMALL, "--quick"]
     lit = '[buffers.lit]\nfile = "lit.npy"\n'
     mapping.write_text(tables + lit)
     assert main(arguments) == 1
@@ -113,7 +113,7 @@ def test_files_with_fewer_bits_than_their_textures(dump, oracle, capsys):
 def test_rows_from_the_top(dump, oracle, capsys):
     for name, buffer in oracle.buffers.items():
         np.save(dump / f"{name}.npy", buffer[::-1])
-    assert main(["validate", "sphere", str(dump), *SMALL]) == 1
+    assert main(["validate", "sphere", str(dump), *SMALL, "--quick"]) == 1
     assert main(["validate", "sphere", str(dump), *SMALL, "--origin", "top"]) == 0
     capsys.readouterr()
 
@@ -139,7 +139,7 @@ def test_only_some_pixels(dump, oracle, tmp_path, capsys):
     image = oracle["image"].copy()
     image[:8, :8] += 1
     np.save(dump / "image.npy", image)
-    assert main(["validate", "sphere", str(dump), *SMALL]) == 1
+    assert main(["validate", "sphere", str(dump), *SMALL, "--quick"]) == 1
     assert main(["validate", "sphere", str(dump), *SMALL, "--region", "8,8,40,40"]) == 0
     mask = np.zeros((48, 48), np.uint8)
     mask[:8, :8] = 1

@@ -11,6 +11,7 @@ from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.report.report_data import as_json
 from sss_ref.validation.report.report_page import as_html
+from sss_ref.validation.scope import QUICK
 
 F = np.float32
 MISTAKES = {
@@ -45,7 +46,7 @@ def rows_of(report):
 @pytest.mark.parametrize("name", MISTAKES)
 def test_what_was_drawn_stands_below_beside_where_it_may_lie(oracle, scene, name):
     buffers = mistaken(oracle, scene, name)
-    report = sss_ref.validate(oracle, buffers)
+    report = sss_ref.validate(oracle, buffers, explain=QUICK)
     assert report.culprit.buffer == name
     column, row = report.culprit.worst.at
     drawn = report.finding.section.rows[-1]
@@ -61,7 +62,7 @@ def test_inputs_have_the_intervals_that_their_storage_leaves(oracle, scene):
     """Half precision leaves 11 bits of what the stage got; a texture is what it holds, and uniforms are exact."""
     buffers = mistaken(oracle, scene, "phong")
     buffers["normal_world"] = buffers["normal_world"].astype(np.float16).astype(F)
-    report = sss_ref.validate(oracle, buffers, {"normal_world": "float16"})
+    report = sss_ref.validate(oracle, buffers, {"normal_world": "float16"}, explain=QUICK)
     rows, (column, row) = rows_of(report), report.culprit.worst.at
     assert rows["position_world"].may_be == rows["shininess"].may_be == "exact"
     low, high = (np.array(components(end)) for end in rows["normal_world"].bounds)
@@ -72,12 +73,12 @@ def test_inputs_have_the_intervals_that_their_storage_leaves(oracle, scene):
 
 def test_varyings_have_the_intervals_of_their_interpolation(oracle, scene):
     buffers = {"normal_world": -oracle["normal_world"], "triangle": oracle["triangle"]}
-    rows = rows_of(sss_ref.validate(oracle, buffers))
+    rows = rows_of(sss_ref.validate(oracle, buffers, explain=QUICK))
     assert {rows[name].may_be[:2] for name in ("fragment_position", "fragment_normal")} == {"(["}
 
 
 def test_on_the_page_in_the_terminal_and_as_data(oracle, scene, capsys):
-    report = sss_ref.validate(oracle, mistaken(oracle, scene, "translucency"))
+    report = sss_ref.validate(oracle, mistaken(oracle, scene, "translucency"), explain=QUICK)
     term = "term = pow(x, y) / pow(max(thickness, d_min), exponent)"
     shown = rows_of(report)[term].may_be
     assert shown.startswith("[")
@@ -93,6 +94,6 @@ def test_on_the_page_in_the_terminal_and_as_data(oracle, scene, capsys):
 
 
 def test_what_has_no_interval_and_a_run_that_passes(oracle, scene):
-    lines = as_json(sss_ref.validate(oracle, mistaken(oracle, scene, "scattered")))["worst_lines"]
+    lines = as_json(sss_ref.validate(oracle, mistaken(oracle, scene, "scattered"), explain=QUICK))["worst_lines"]
     assert {"text": "lit", "value": "32 x 32 texels", "low": None, "high": None} in lines
-    assert as_json(sss_ref.validate(oracle, oracle.buffers))["worst_lines"] == []
+    assert as_json(sss_ref.validate(oracle, oracle.buffers, explain=QUICK))["worst_lines"] == []
