@@ -66,8 +66,20 @@ def stage_{k}(value: float, {before}: float) -> Out_{k}:
 """
 
 
-def stages(tmp_path, template, names):
-    """A stage for each name."""
+@pytest.fixture(scope="module", params=[USED, LOCAL], ids=["uniform", "local"])
+def template(request):
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def own(template, tmp_path_factory):
+    """A stage for every word that one of the languages reserves, and for odd ones."""
+    return stages(tmp_path_factory.mktemp("stages"), template, [*WORDS, *ODD])
+
+
+def stages(folder, template, names):
+    """A stage for each name that a stage may have."""
+    names = [name for name in names if name not in ("function", "stage")]
     head = "from typing import NamedTuple\n\nfrom sss_ref.language import function, stage\n"
     outs = [
         f'\n\nclass Out_{k}(NamedTuple):\n    """What is written."""\n\n    written_{k}: float\n'
@@ -76,7 +88,7 @@ def stages(tmp_path, template, names):
     texts = [
         template.format(name=name, k=k, before=f"written_{k - 1}" if k else "scale") for k, name in enumerate(names)
     ]
-    path = tmp_path / "own_stages.py"
+    path = folder / "own_stages.py"
     path.write_text(head + "".join(outs) + "\n".join(texts), encoding="utf-8")
     spec = spec_from_file_location("own_stages", path)
     module = module_from_spec(spec)
@@ -84,10 +96,8 @@ def stages(tmp_path, template, names):
     return [getattr(module, f"stage_{k}") for k in range(len(names))]
 
 
-def shaders(tmp_path, template, dialect, more=()):
-    """Shaders of stages that have every reserved word, and more words, for a name."""
-    usable = [word for word in [*WORDS, *more, *ODD] if word not in ("function", "stage")]
-    own = stages(tmp_path, template, usable)
+def shaders(own, dialect):
+    """Shaders of these stages, so many in each."""
     for start in range(0, len(own), TOGETHER):
         this_pass = Pass("own", "camera", ScreenDraw(), tuple(own[start : start + TOGETHER]))
         last = list(this_pass.outputs)[-1]  # each stage reads what the one before it writes, so this needs them all
@@ -95,10 +105,9 @@ def shaders(tmp_path, template, dialect, more=()):
 
 
 @pytest.mark.skipif(VALIDATOR is None, reason="glslangValidator is not installed (Debian: glslang-tools)")
-@pytest.mark.parametrize("template", [USED, LOCAL], ids=["uniform", "local"])
 @pytest.mark.parametrize("dialect", FLAGS)
-def test_every_reserved_word_may_name_a_value(dialect, template, tmp_path):
-    for number, source in enumerate(shaders(tmp_path, template, DIALECTS[dialect])):
+def test_every_reserved_word_may_name_a_value(dialect, own, tmp_path):
+    for number, source in enumerate(shaders(own, DIALECTS[dialect])):
         path = tmp_path / f"{number}.frag"
         path.write_text(source)
         done = subprocess.run([VALIDATOR, *FLAGS[dialect], str(path)], capture_output=True, text=True)
@@ -107,10 +116,10 @@ def test_every_reserved_word_may_name_a_value(dialect, template, tmp_path):
 
 
 @needs_lavapipe
-@pytest.mark.parametrize("template", [USED, LOCAL], ids=["uniform", "local"])
-def test_naga_lets_every_reserved_word_name_a_value(template, tmp_path):
+def test_naga_lets_every_reserved_word_name_a_value(own, template, tmp_path):
     device = open_device(LAVAPIPE)
-    for source in shaders(tmp_path, template, WGSL, sorted(WGSL_BUILT_INS - {*WORDS})):
+    built_ins = stages(tmp_path, template, sorted(WGSL_BUILT_INS - {*WORDS}))
+    for source in (*shaders(own, WGSL), *shaders(built_ins, WGSL)):
         device.create_shader_module(code=source)  # raises an error that shows the line
     device.destroy()
 
