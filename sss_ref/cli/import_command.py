@@ -9,6 +9,7 @@ from cyclopts import Parameter
 from sss_ref.cli.console import DIFFERS, announce_compilation, err, out, progress
 from sss_ref.cli.options import KERNELS, NO_CHANGES, Changes, Execution
 from sss_ref.errors import DumpError
+from sss_ref.errors.text_file import made_folder
 from sss_ref.errors.wording import told
 
 if TYPE_CHECKING:
@@ -57,8 +58,8 @@ def import_(
     with progress("rendering") as show:
         oracle = render(loaded, execution.interpreter, execution.threads, on_pass=lambda name: show(f"pass {name}"))
         show("comparing")
-        found = recognized(source, oracle, made(target) if from_capture else None)
-    path = found.write(made(target))
+        found = recognized(source, oracle, made_folder(target, DumpError) if from_capture else None)
+    path = found.write(made_folder(target, DumpError))
     for line in found.lines():
         out.print(line, markup=False)
     tell_doubts(found)
@@ -72,21 +73,12 @@ def _listed(source: Path, target: Path) -> int:
 
     if not is_capture(source):
         raise DumpError(told("import", "a scene to hold the pictures against", "none", "give it after the folder"))
-    pictures, notes = captured(source, made(target))
+    pictures, notes = captured(source, made_folder(target, DumpError))
     for line in listing(pictures):
         out.print(line, markup=False)
     print_notes(notes)
     out.print(f"{target}: {len(pictures)} pictures", markup=False)
     return 0
-
-
-def made(folder: Path) -> Path:
-    """A folder that is there, or is made. Raises DumpError."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise DumpError(told(str(folder), "a folder to write", error.strerror or "none", "choose another")) from None
-    return folder
 
 
 def tell_doubts(found: "Recognized") -> None:

@@ -55,16 +55,19 @@ def write_text(path: Path, text: str, error_class: type[SssRefError]) -> Path:
     return path
 
 
-def write_texts(folder: Path, texts: Mapping[str, str], error_class: type[SssRefError]) -> None:
-    """Write text files, name -> content, into a folder, which is made if need be.
-
-    Raises `error_class` where the folder cannot be made, or as `write_text` does.
-    """
+def made_folder(folder: Path, error_class: type[SssRefError]) -> Path:
+    """A folder to write into, which is made if need be. Raises `error_class`."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         came = error.strerror or "none"
         raise error_class(told(str(folder), "a folder to write into", came, "choose another")) from None
+    return folder
+
+
+def write_texts(folder: Path, texts: Mapping[str, str], error_class: type[SssRefError]) -> None:
+    """Write text files, name -> content, into a folder, as `made_folder` and `write_text` do."""
+    made_folder(folder, error_class)
     for name, text in texts.items():
         write_text(folder / name, text, error_class)
 
