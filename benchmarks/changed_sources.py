@@ -93,8 +93,8 @@ def not_computed(node: ast.AST) -> list[ast.AST]:
     found = [getattr(node, "annotation", None), getattr(node, "returns", None), *getattr(node, "decorator_list", [])]
     if isinstance(node, ast.Module):
         found += [each.value for each in node.body if isinstance(each, ast.Assign) and is_union(each.value)]
-    if isinstance(node, ast.keyword) and node.arg == "strict":
-        found.append(node.value)
+    if isinstance(node, ast.Call) and ast.unparse(node.func) == "zip":
+        found += node.keywords
     return [each for each in found if each]
 
 

@@ -27,7 +27,7 @@ def joined(path: Path, content: FileContent) -> Mesh:
     positions = np.concatenate([part.positions for part in parts])
     if (positions == positions[0]).all():
         raise refused(path, "a mesh of some size", "all vertices at one point", "correct them")
-    triangles = _joined_triangles(path, parts)
+    triangles = joined_triangles(path, parts)
     uvs, uv_notes = _joined_uvs(path, parts)
     normals, normal_notes = _joined_normals(parts)
     source: Literal["file", "computed"] = "computed" if normals is None else "file"
@@ -49,7 +49,8 @@ def joined(path: Path, content: FileContent) -> Mesh:
     )
 
 
-def _joined_triangles(path: Path, parts: list[Part]) -> NDArray[np.int32]:
+def joined_triangles(path: Path, parts: list[Part]) -> NDArray[np.int32]:
+    """The triangles of all parts, (T, 3), as indices of all vertices; raises MeshError where int32 is too small."""
     starts = np.cumsum([0] + [len(part.positions) for part in parts])
     if starts[-1] > np.iinfo(np.int32).max:
         raise refused(path, "fewer than 2^31 vertices", str(starts[-1]), "simplify the mesh")

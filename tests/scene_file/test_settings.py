@@ -1,5 +1,6 @@
 import numpy as np
 import pytest
+from pydantic import ValidationError
 
 from sss_ref.scene_file.key_texts import key_texts
 from sss_ref.scene_file.layers import filled
@@ -188,3 +189,10 @@ def test_tables_left_out_are_what_empty_ones_become(key):
     default = SceneFile.model_fields[key].default
     assert type(default).model_validate({}) == default
     assert type(default).model_validate(default.model_dump()) == default
+
+
+def test_a_table_that_was_read_does_not_change():
+    """What several scenes share stays as the file says."""
+    table = MeshSettings(**COMMON["mesh"])
+    with pytest.raises(ValidationError, match="frozen"):
+        table.unwrap = True
