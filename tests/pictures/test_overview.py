@@ -43,6 +43,27 @@ def test_ramp_is_ordered_by_lightness():
     assert (np.diff(lightness) > -0.5).all() and lightness[-1] > lightness[0] + 150
 
 
+def test_the_ramp_goes_through_its_anchors():
+    assert tiles.RAMP[::51].tolist() == [[*anchor] for anchor in tiles.RAMP_ANCHORS]
+
+
+def test_the_colour_of_a_number_is_that_of_its_hash():
+    """(0 + 1) * 2654435769 is 9e3779b9 in hexadecimals, (-1 + 1) times it 0; byte b is shown as 60 + 195 * b / 255."""
+    bytes_of_the_hash = [0x79, 0x37, 0x9E]
+    assert tiles.hashed_colours(np.array([0])).tolist() == [[60 + 195 * each // 255 for each in bytes_of_the_hash]]
+    assert tiles.hashed_colours(np.array([-1])).tolist() == [[60, 60, 60]]
+
+
+def test_a_share_of_the_range_is_rounded_to_the_nearest_of_255_and_held_to_its_ends():
+    values = np.array([-9, 2, 2 + 0.49 / 255, 2 + 0.51 / 255, 3, 99])
+    assert tiles.stretched(values, 2, 3).tolist() == [0, 0, 0, 1, 255, 255]
+
+
+@pytest.mark.parametrize(("count", "columns"), [(1, 1), (4, 4), (8, 4), (9, 5), (15, 5), (16, 6), (40, 6)])
+def test_more_tiles_stand_in_longer_rows(count, columns):
+    assert overview._columns(count) == columns
+
+
 def test_points_and_texture_coordinates():
     normals = np.array([[[-1, 0, 1]]], np.float32)
     assert tiles.picture("normal_world", normals, np.ones((1, 1), bool)).tolist() == [[[0, 128, 255]]]
