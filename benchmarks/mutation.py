@@ -8,10 +8,10 @@ A place is an operator, a comparison, a number, a truth value, a `not`, outside 
 zip. Each is changed in a copy of the package; then those of the recorded tests run that execute its line: two of each
 function first, of the file that mirrors the source before the others, the quickest first, as many as take `--limit`
 seconds. Where no test is seen to execute it (it runs when it is imported, or compiled), it is the tests of the file
-that mirrors it, then all that execute the file, then its room's. A test counts that passes with the package as it is.
-Printed are the survivors, but for those that equivalent_mutants.toml says nobody can tell from the original, then the
-score of each room and of all: the share of the other mutants that make a test fail, or tests take four times as long
-and a minute.
+that mirrors it, then its room's, then others that execute the file. A test counts that passes with the package as it
+is. Printed are the survivors, but for those that equivalent_mutants.toml says nobody can tell from the original, then
+the score of each room and of all: the share of the other mutants that make a test fail, or tests take four times as
+long and a minute.
 """
 
 import argparse
@@ -25,6 +25,7 @@ import resource
 import shutil
 import sys
 import tempfile
+import time
 import tomllib
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
@@ -56,6 +57,7 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=30)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--limit", type=float, default=20, help="seconds of tests for a mutant, as they were recorded")
+    parser.add_argument("--minutes", type=float, default=math.inf, help="begin no mutant after so many")
     parser.add_argument("--jobs", type=int, default=1, help="mutants at a time")
     asked = parser.parse_args()
     every = [mutant for path in sources(asked.places) for mutant in mutants(path)]
@@ -65,26 +67,30 @@ def main() -> None:
     recorded = Recorded(asked.recorded)
     tests = {mutant: chosen(mutant, recorded, asked.limit) for mutant in told_apart}
     with tempfile.TemporaryDirectory() as folder:
-        stopped = tried(tests, [copied(Path(folder) / str(job)) for job in range(asked.jobs)])
+        checkouts = [copied(Path(folder) / str(job)) for job in range(asked.jobs)]
+        stopped = tried(tests, checkouts, time.monotonic() + 60 * asked.minutes)
     for room, count in sorted(Counter(mutant.room for mutant in stopped).items()):
         print(f"{room}: {sum(hit for mutant, hit in stopped.items() if mutant.room == room)} of {count}")
     hits = sum(stopped.values())
     low, high = interval(hits, len(stopped))
-    share = f"{hits / len(stopped):.0%} (of all {len(every)} places {low:.0%} to {high:.0%} with 95 %)"
-    print(f"{hits} of {len(stopped)} stopped, {share}, seed {asked.seed}; {len(sample) - len(stopped)} equivalent")
+    share = f"{hits / max(len(stopped), 1):.0%} (of all {len(every)} places {low:.0%} to {high:.0%} with 95 %)"
+    print(f"{hits} of {len(stopped)} stopped, {share}, seed {asked.seed}; {len(sample) - len(tests)} equivalent")
 
 
-def tried(tests: dict[Mutant, dict[str, float]], checkouts: list[Path]) -> dict[Mutant, bool]:
+def tried(tests: dict[Mutant, dict[str, float]], checkouts: list[Path], end: float) -> dict[Mutant, bool]:
     """Whether each mutant is stopped by its tests; survivors are printed at once.
 
-    checkouts: copies to change, as many as mutants are tried at a time.
+    checkouts: copies to change, as many as mutants are tried at a time. end: on the clock, after which none is begun.
     """
     free: queue.Queue[Trial] = queue.Queue()
     for checkout in checkouts:
         free.put(Trial(checkout))
 
-    def stop(mutant: Mutant) -> bool:
+    def stop(mutant: Mutant) -> bool | None:
         trial = free.get()
+        if time.monotonic() > end:
+            free.put(trial)
+            return None
         hit = trial.stops(mutant, tests[mutant])
         free.put(trial)
         if not hit:
@@ -92,7 +98,8 @@ def tried(tests: dict[Mutant, dict[str, float]], checkouts: list[Path]) -> dict[
         return hit
 
     with ThreadPoolExecutor(len(checkouts)) as pool:
-        return dict(zip(tests, pool.map(stop, tests), strict=True))
+        found = zip(tests, pool.map(stop, tests), strict=True)
+        return {mutant: hit for mutant, hit in found if hit is not None}
 
 
 def chosen(mutant: Mutant, recorded: Recorded, limit: float) -> dict[str, float]:
@@ -101,7 +108,7 @@ def chosen(mutant: Mutant, recorded: Recorded, limit: float) -> dict[str, float]
     among = [recorded.executing(mutant.path, mutant.executed)]
     if not among[0]:
         room = {test for test in recorded.seconds if test.startswith(f"tests/{mutant.room}/")}
-        among = [{test for test in room if test.startswith(mirrored)}, recorded.executing_file(mutant.path), room]
+        among = [{test for test in room if test.startswith(mirrored)}, room, recorded.executing_file(mutant.path)]
     tests: dict[str, float] = {}
     for each in among:
         functions: Counter[str] = Counter()
