@@ -15,6 +15,7 @@ from sss_ref.truth.photon import Volume
 SCATTERING = ("KHR_materials_scatter", "KHR_materials_volume_scatter")  # drafts of one extension
 MM_PER_METRE = 1000.0  # glTF's unit of length
 USUAL_IOR = 1.5  # of both formats
+LARGEST = 1e30  # of a number in a record: no product of two overflows
 LIGHTEST = 1e-6  # the least absorption, as a share of the extinction: at albedo 1 walks have no end
 Channels = tuple[float, float, float]
 
@@ -28,7 +29,7 @@ def volumes_of(material: str, ior: float | None = None, mm_per_unit: float = 1.0
         return volumes(material, ior)
     try:
         record = json.loads(text_of(Path(material), "a material", SceneError))
-    except ValueError:
+    except (ValueError, RecursionError):
         record = None
     if isinstance(record, dict) and isinstance(record.get("extensions"), dict):
         return _bordered(volumes_of_gltf(record["extensions"], material), ior)
@@ -53,15 +54,18 @@ def volumes_of_gltf(extensions: Mapping[str, Any], where: str = "material") -> V
     color = _channels(scatter, "multiscatterColor", (0.0, 0.0, 0.0), where)
     dimmed = _channels(volume, "attenuationColor", (1.0, 1.0, 1.0), where)
     distance = _number(volume, "attenuationDistance", math.inf, where) * MM_PER_METRE
-    anisotropy = _number(scatter, "scatterAnisotropy", 0.0, where)
-    ior = _number(extensions.get("KHR_materials_ior", {}), "ior", USUAL_IOR, where)
+    anisotropy = _anisotropy(scatter, "scatterAnisotropy", where)
+    border = extensions.get("KHR_materials_ior", {})
+    if not isinstance(border, Mapping):
+        raise SceneError(told(f"{where}: KHR_materials_ior", "an object", shown(border), "correct it"))
+    ior = _number(border, "ior", USUAL_IOR, where)
     extinctions = [-math.log(each) / distance if 0 < each < 1 and distance > 0 else 0.0 for each in dimmed]
     if not all(extinctions):
         raise SceneError(
             told(where, "attenuation in all channels", "none", "give attenuationColor and attenuationDistance")
         )
     bent = [4.09712 + 4.20863 * c - math.sqrt(9.59217 + 41.6808 * c + 17.7126 * c * c) for c in color]
-    return _volumes(extinctions, bent, anisotropy, ior)
+    return _volumes(extinctions, bent, anisotropy, ior, where)
 
 
 def volumes_of_openpbr(record: Mapping[str, Any], mm_per_unit: float = 1.0, where: str = "material") -> Volumes:
@@ -73,12 +77,12 @@ def volumes_of_openpbr(record: Mapping[str, Any], mm_per_unit: float = 1.0, wher
     color = _channels(record, "subsurface_color", (0.8, 0.8, 0.8), where)
     scale = _channels(record, "subsurface_radius_scale", (1.0, 0.5, 0.25), where)
     radius = _number(record, "subsurface_radius", 1.0, where)
-    anisotropy = _number(record, "subsurface_scatter_anisotropy", 0.0, where)
+    anisotropy = _anisotropy(record, "subsurface_scatter_anisotropy", where)
     ior = _number(record, "specular_ior", USUAL_IOR, where)
     lengths = [radius * each * mm_per_unit for each in scale]
     if not min(lengths) > 0:
         raise SceneError(told(f"{where}: subsurface_radius", "more than 0 in all channels", "none", "enlarge it"))
-    return _volumes([1 / length for length in lengths], [_bent(c) for c in color], anisotropy, ior)
+    return _volumes([1 / length for length in lengths], [_bent(c) for c in color], anisotropy, ior, where)
 
 
 def _bent(color: float) -> float:
@@ -87,8 +91,10 @@ def _bent(color: float) -> float:
     return 2 * (1 - color) / (half + math.sqrt(half * half - 4 * 0.139 * (1 - color)))
 
 
-def _volumes(extinctions: list[float], bent: list[float], anisotropy: float, ior: float) -> Volumes:
+def _volumes(extinctions: list[float], bent: list[float], anisotropy: float, ior: float, where: str) -> Volumes:
     """From s = sqrt((1 - albedo)/(1 - g*albedo)): the albedo is (1 - s^2)/(1 - g*s^2)."""
+    if math.inf in extinctions:
+        raise SceneError(told(where, "light that goes some way inside", "none", "enlarge the distance or radius"))
     albedos = [max(0.0, (1 - s * s) / (1 - anisotropy * s * s)) for s in bent]
     absorbed = [extinction * max(1 - albedo, LIGHTEST) for extinction, albedo in zip(extinctions, albedos, strict=True)]
     red, green, blue = (
@@ -113,8 +119,17 @@ def _is_share(value: Any) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value <= 1
 
 
+def _anisotropy(table: Mapping[str, Any], key: str, where: str) -> float:
+    value = _number(table, key, 0.0, where)
+    if not -1 < value < 1:
+        raise SceneError(told(f"{where}: {key}", "a number between -1 and 1", shown(value), "correct it"))
+    return value
+
+
 def _number(table: Mapping[str, Any], key: str, default: float, where: str) -> float:
-    value = table.get(key, default)
-    if isinstance(value, int | float) and not isinstance(value, bool):
+    if key not in table:
+        return default
+    value = table[key]
+    if isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= LARGEST:
         return float(value)
-    raise SceneError(told(f"{where}: {key}", "a number", shown(value), "correct it"))
+    raise SceneError(told(f"{where}: {key}", f"a number of at most {LARGEST:g}", shown(value), "correct it"))

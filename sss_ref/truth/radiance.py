@@ -1,6 +1,7 @@
 """The mean radiance of each pixel with its standard error, sample by sample."""
 
 import math
+import operator
 import os
 import time
 from collections.abc import Callable
@@ -8,13 +9,13 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from zipfile import BadZipFile
-from zlib import error as ZlibError
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sss_ref.errors import SceneError
+from sss_ref.errors.text_file import check_regular
 from sss_ref.errors.wording import told
 from sss_ref.truth.eye_rays import Sums, gather_row
 from sss_ref.truth.random_numbers import new_stream
@@ -88,23 +89,28 @@ def nothing_gathered(of: Tracing) -> Radiance:
 
 def read_radiance(path: Path, of: Tracing) -> Radiance:
     """The samples `of` a tracing, saved at a path. Raises SceneError for another one's, and for what is none."""
+    expected = "the sums of a tracing"
+    check_regular(path, expected, SceneError)
     try:
-        with np.load(path) as content:
+        with path.open("rb") as file, np.load(file) as content:  # given a path, NumPy leaves a damaged file open
             found = {name: content[name] for name in content.files}
-        is_one = str(found["format"]) == FORMAT
-        identity, samples, sums = (
-            str(found["identity"]),
-            int(found["samples"]),
-            Sums(*(found[name] for name in Sums._fields)),
-        )
-    except (OSError, ValueError, KeyError, EOFError, BadZipFile, ZlibError):
-        is_one, identity, samples, sums = False, "", 0, nothing_gathered(of).sums
-    if not is_one:
-        raise SceneError(told(str(path), "the sums of a tracing", "something else", "delete it to begin again"))
-    if identity != of.identity:
+        samples, sums = operator.index(found["samples"]), Sums(*(found[name] for name in Sums._fields))
+        is_one = str(found["format"]) == FORMAT and samples >= 0
+        identity = str(found["identity"])
+    except Exception:  # whatever a broken archive makes NumPy raise, a tokenizer's error too
+        is_one = False
+    if is_one and identity != of.identity:
         remedy = "choose another folder, or delete it to begin again"
         raise SceneError(told(str(path), "the sums of this scene, material and seed", "those of another", remedy))
+    if not is_one or not all(map(_are_like, sums, nothing_gathered(of).sums)):
+        raise SceneError(told(str(path), expected, "something else", "delete it to begin again"))
     return Radiance(of, samples, sums)
+
+
+def _are_like(found: NDArray[Any], form: NDArray[Any]) -> bool:
+    """Whether sums have type and shape of such ones, and are numbers of at least 0, which no sum of light is below."""
+    is_formed = (found.dtype, found.shape) == (form.dtype, form.shape)
+    return is_formed and bool((np.isfinite(found) & (found >= 0)).all())
 
 
 def _gather(of: Tracing, samples: tuple[int, int], sums: Sums, row: int) -> None:

@@ -2,6 +2,7 @@
 
 import json
 import math
+import operator
 import os
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
@@ -93,16 +94,21 @@ def read_tally(path: Path, of: Walk) -> Tally:
     """The tally `of` a walk, saved at a path. Raises SceneError for another walk's, and for what is no tally."""
     try:
         content = json.loads(text_of(path, "a tally", SceneError))
-        counts = np.array(content["counts"], np.int64)
-        wrong = content["format"] != FORMAT or counts.shape != nothing_walked(of).counts.shape
-        photons, described = int(content["photons"]), {key: content[key] for key in _described(of)}
-    except (ValueError, KeyError, TypeError):
-        wrong, photons, described = True, 0, {}
-    if wrong or counts.sum() != photons:
+        counts, photons = np.array(content["counts"]), operator.index(content["photons"])
+        described = {key: content[key] for key in _described(of)}
+        is_one = content["format"] == FORMAT and _are_counts(counts, nothing_walked(of).counts)
+    except (ValueError, KeyError, TypeError, RecursionError):
+        is_one = False
+    if not is_one or counts.sum() != photons:
         raise SceneError(told(str(path), "a tally", "something else", "delete the file to walk again"))
     if described != json.loads(json.dumps(_described(of))):
         raise SceneError(told(str(path), "the tally of this walk", "another one's", "choose another file"))
     return Tally(of, photons, counts)
+
+
+def _are_counts(counts: NDArray[Any], form: NDArray[np.int64]) -> bool:
+    """Whether they are whole numbers of at least 0 in the form of a tally's."""
+    return counts.dtype == form.dtype and counts.shape == form.shape and bool((counts >= 0).all())
 
 
 def _described(of: Walk) -> dict[str, Any]:

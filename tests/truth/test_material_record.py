@@ -88,7 +88,16 @@ def test_files_and_names(tmp_path):
             json.dumps({**OPENPBR, "subsurface_color": [2, 0, 0]}),
             r"subsurface_color: expected three numbers from 0 to 1, got \[",
         ),
-        (json.dumps({**OPENPBR, "specular_ior": "x"}), 'specular_ior: expected a number, got "x"'),
+        (json.dumps({**OPENPBR, "specular_ior": "x"}), 'specular_ior: expected a number of at most 1e\\+30, got "x"'),
+        (json.dumps({**OPENPBR, "specular_ior": 10**400}), "specular_ior: expected a number of at most"),
+        (json.dumps({**OPENPBR, "specular_ior": float("nan")}), "specular_ior: expected a number of at most"),
+        (json.dumps({**OPENPBR, "subsurface_scatter_anisotropy": 1}), "anisotropy: expected a number between -1 and 1"),
+        (json.dumps({**OPENPBR, "subsurface_radius": 1e-320}), "expected light that goes some way inside, got none"),
+        (
+            json.dumps({"extensions": {**GLTF, "KHR_materials_ior": "ior"}}),
+            'KHR_materials_ior: expected an object, got "ior"',
+        ),
+        ("[" * 100_000, "expected a material record, got something else"),
     ],
 )
 def test_what_is_no_record_is_refused(tmp_path, content, line):

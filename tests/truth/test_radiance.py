@@ -1,6 +1,8 @@
 """Paths through meshes: the same bits however they are run, and the radiance of closed forms and of photons."""
 
 import math
+import os
+import zipfile
 
 import numpy as np
 import pytest
@@ -71,8 +73,53 @@ def test_other_sums_are_refused(sphere, tmp_path):
         read_radiance(path, other)
     for content in (b"", b"PK\3\4", path.read_bytes()[:200]):
         path.write_bytes(content)
-        with pytest.raises(SceneError, match="expected the sums of a tracing, got something else"):
-            read_radiance(path, sphere)
+        check_is_no_sum(path, sphere)
+    path.unlink()
+    os.mkfifo(path)
+    with pytest.raises(SceneError, match="expected the sums of a tracing, got no regular file"):
+        read_radiance(path, sphere)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        *({"samples": -1}, {"samples": 1.5}, {"total": np.zeros((2, 2, 3))}, {"square": np.zeros(3, np.float32)}),
+        *({"total": math.nan}, {"square": -1.0}, {"counted": -1}, {"format": "sss_ref radiance 0"}),
+    ],
+    ids=str,
+)
+def test_damaged_sums_are_refused(sphere, tmp_path, change):
+    """A number is put into the first place of the array that has the name."""
+    path = tmp_path / "sums.npz"
+    nothing_gathered(sphere).more(1).save(path)
+    with np.load(path) as content:
+        found = dict(content)
+    ((name, value),) = change.items()
+    if found[name].shape and np.ndim(value) == 0:
+        found[name][0, 0, 0] = value
+    else:
+        found[name] = value
+    np.savez(path, **found)
+    check_is_no_sum(path, sphere)
+
+
+def test_an_array_and_a_header_without_end_are_no_sums(sphere, tmp_path):
+    path = tmp_path / "sums.npz"
+    with path.open("wb") as file:
+        np.save(file, np.zeros(3))
+    check_is_no_sum(path, sphere)
+    nothing_gathered(sphere).save(path)
+    with zipfile.ZipFile(path) as archive:
+        names = {name: archive.read(name) for name in archive.namelist()}
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, content in names.items():
+            archive.writestr(name, content.replace(b", }", b",  "))
+    check_is_no_sum(path, sphere)
+
+
+def check_is_no_sum(path, tracing):
+    with pytest.raises(SceneError, match="expected the sums of a tracing, got something else"):
+        read_radiance(path, tracing)
 
 
 def test_without_scattering_no_light_turns_round(sphere, thick_slab):

@@ -76,12 +76,36 @@ def test_the_file_of_another_walk_is_refused(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "change", [{"photons": 11}, {"counts": [[1]]}, {"format": "sss_ref tally 0"}, {"photons": "many"}, None]
+    "change",
+    [
+        *({"photons": 11}, {"photons": "many"}, {"photons": 10.0}, {"photons": [10]}),
+        *({"counts": [[1]]}, {"counts": [[1], 2]}, {"counts": 10**40}, {"format": "sss_ref tally 0"}),
+    ],
+    ids=str,
 )
 def test_what_is_no_tally_is_refused(tmp_path, change):
     path = tmp_path / "tally.json"
     nothing_walked(BEAM).more(10).save(path)
-    path.write_text(json.dumps({**json.loads(path.read_text()), **change}) if change else "{")
+    path.write_text(json.dumps({**json.loads(path.read_text()), **change}))
+    check_is_no_tally(path)
+
+
+@pytest.mark.parametrize("text", ["{", "[]", "[" * 100_000], ids=len)
+def test_what_is_no_record_is_refused(tmp_path, text):
+    (tmp_path / "tally.json").write_text(text)
+    check_is_no_tally(tmp_path / "tally.json")
+
+
+def test_counts_below_0_are_refused(tmp_path):
+    """Their sum is right."""
+    path = tmp_path / "tally.json"
+    tally = nothing_walked(BEAM).more(10)
+    tally.counts[0, 0, :2] += [100, -100]
+    tally.save(path)
+    check_is_no_tally(path)
+
+
+def check_is_no_tally(path):
     with pytest.raises(SceneError, match="expected a tally, got something else; delete the file"):
         read_tally(path, BEAM)
 
