@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from pydantic import BaseModel, ConfigDict, ValidationError
 
 from sss_ref.errors import MeshError
+from sss_ref.errors.array_file import mapped_array
 from sss_ref.errors.text_file import check_regular, text_of
 from sss_ref.mesh.materials import Material
 from sss_ref.mesh.part import finite32, refused, vertex_indices
@@ -94,15 +95,16 @@ def _array(path: Path, dtype: Any, element: tuple[int, ...]) -> NDArray[Any]:
     """An array (N, *element), at least one; it is mapped first, which takes no memory if the file is too short."""
     check_regular(path, "an NPY file", MeshError)
     try:
-        found = np.load(path, mmap_mode="r", allow_pickle=False)
+        found = mapped_array(path)
     except OSError as error:
         raise refused(path, "an NPY file", error.strerror or "a damaged one", AGAIN) from None
     except Exception:  # whatever a broken file makes NumPy raise
         raise refused(path, "a whole NPY file", "one that is damaged or cut off", AGAIN) from None
-    if (getattr(found, "dtype", None), found.shape[1:]) != (np.dtype(dtype), element) or not found.size:
-        came = f"{found.dtype} {found.shape}" if isinstance(found, np.ndarray) else "an archive"
-        letters = ", ".join(["N", *map(str, element)])
-        raise refused(path, f"{np.dtype(dtype)} ({letters})", came, AGAIN)
+    expected = f"{np.dtype(dtype)} ({', '.join(['N', *map(str, element)])})"
+    if found is None:
+        raise refused(path, expected, "an archive", AGAIN)
+    if (found.dtype, found.shape[1:]) != (np.dtype(dtype), element) or not found.size:
+        raise refused(path, expected, f"{found.dtype} {found.shape}", AGAIN)
     return np.array(found)
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from sss_ref.errors import DumpError
+from sss_ref.errors.array_file import mapped_array
 from sss_ref.errors.text_file import check_regular, text_of
 from sss_ref.errors.wording import told
 from sss_ref.rendering.result import Result
@@ -48,10 +49,10 @@ def read_buffer(path: Path) -> np.ndarray:
     expected, again = "a buffer in NPY format", "render the scene again"
     check_regular(path, expected, DumpError)
     try:
-        buffer = np.load(path, mmap_mode="r", allow_pickle=False)  # a mapping fails early where the file is too short
+        buffer = mapped_array(path)  # a mapping fails early where the file is too short
     except Exception:  # whatever a broken file makes NumPy raise, a tokenizer's error too
         raise DumpError(told(str(path), expected, "one that is damaged or cut off", again)) from None
-    if not isinstance(buffer, np.ndarray):
+    if buffer is None:
         raise DumpError(told(str(path), expected, "an archive", again))
     return np.array(buffer)
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from sss_ref.cache.recent import of_unchanged_file
 from sss_ref.errors import SceneError
+from sss_ref.errors.array_file import mapped_array
 from sss_ref.numerics.trigonometry import fifty_digits
 from sss_ref.scene_file.png_codes import Codes, PngContent, PngFault
 from sss_ref.scene_file.quantities import LARGEST_SIZE
@@ -55,7 +56,8 @@ def texture_size(path: Path) -> tuple[int, int]:
     """Width and height that a picture, or an array in its place, declares; 0, 0 for none, which is refused later."""
     try:
         if path.suffix == ".npy":
-            height, width, _ = np.load(path, mmap_mode="r", allow_pickle=False).shape
+            array = mapped_array(path)
+            height, width, _ = (0, 0, 0) if array is None else array.shape
             return width, height
         with _opened(path) as (image, _):
             width, height = image.size

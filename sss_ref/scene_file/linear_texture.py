@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from sss_ref.cache.recent import of_unchanged_file
 from sss_ref.errors import SceneError
+from sss_ref.errors.array_file import mapped_array
 from sss_ref.scene_file.color_texture import codes_of
 
 FloatArray = NDArray[np.float32]
@@ -28,10 +29,10 @@ def load_linear(path: Path) -> FloatArray:
 def _array(path: Path) -> FloatArray:
     expected, remedy = "an NPY file of float32 (H, W, 3) from 0 to 1", "write the array again"
     try:
-        texels: FloatArray = np.load(path, mmap_mode="r", allow_pickle=False)
+        texels = mapped_array(path)
     except Exception:  # whatever a broken file makes NumPy raise
         raise SceneError(f"expected {expected}, got one that cannot be read; {remedy}") from None
-    if not isinstance(texels, np.ndarray):
+    if texels is None:
         raise SceneError(f"expected {expected}, got an archive; {remedy}")
     if texels.dtype != np.float32 or texels.shape[2:] != (3,) or not texels.size:
         raise SceneError(f"expected {expected}, got {texels.dtype} {texels.shape}; {remedy}")

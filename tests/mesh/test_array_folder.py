@@ -68,6 +68,7 @@ def saved(array, cut=None):
         ("position.npy", saved(np.ones((4, 3), np.float32)), "expected a mesh of some size, got all vertices at one"),
         ("normal.npy", saved(MESH.normals, -1), "expected a whole NPY file, got one that is damaged or cut off"),
         ("normal.npy", saved(np.array([object()])), "expected a whole NPY file, got one that is damaged or cut off"),
+        ("normal.npy", b"PK\3\4", r"expected float32 \(N, 3\), got an archive; write the bundle"),
         ("normal.npy", b"", "expected a whole NPY file, got one that is damaged or cut off"),
         ("triangles.npy", saved(np.int32([[0, 1, 4], [0, 1, 2]])), "expected vertex indices from 0 to 3, got"),
         (

@@ -2,10 +2,9 @@
 
 from pathlib import Path
 
-import numpy as np
-
 from sss_ref.dump.texels import StoredTexels, array_texels
 from sss_ref.errors import DumpError
+from sss_ref.errors.array_file import mapped_array
 from sss_ref.errors.wording import told
 
 OBJECTS = b"'descr': '|O'"  # in the header, which is text
@@ -18,8 +17,7 @@ def read(path: Path) -> tuple[StoredTexels]:
         if OBJECTS in file.read(LONGEST_HEADER).partition(b"\n")[0]:
             remedy = "convert the array to float32 before saving it"
             raise DumpError(told(str(path), "numbers", "Python objects", remedy))
-    with np.errstate(over="ignore"):  # of the product of a shape of very many numbers
-        array = np.load(path, mmap_mode="r", allow_pickle=False)
-    if not isinstance(array, np.ndarray):
+    array = mapped_array(path)
+    if array is None:
         raise DumpError(told(str(path), "one array in NPY format", "an archive", "save each buffer with numpy.save"))
     return (array_texels(path, array),)
