@@ -53,7 +53,7 @@ def write_course(folder: Path, solutions: bool = False) -> list[LaidOut]:
     solutions: those of the exercises too, into a folder `solutions`.
     Raises CourseError for a folder with something else in it, and without the extra `course`.
     """
-    before = _record(folder)
+    before = written_before(folder)
     files = dict(_files(solutions))
     folder.mkdir(parents=True, exist_ok=True)
     placed = [_placed(folder, name, text, before.get(name)) for name, text in files.items()]
@@ -76,8 +76,11 @@ def _row(lesson: Lesson) -> str:
     return f"# | [{lesson.title}]({lesson.name}.ipynb) | {plan['minutes']} | {plan['aims']} |"
 
 
-def _record(folder: Path) -> Mapping[str, str]:
-    """What was written into the folder before; nothing into a new one."""
+def written_before(folder: Path) -> Mapping[str, str]:
+    """File -> hash of what was written into the folder before; nothing into a new one.
+
+    Raises CourseError for a folder with something else in it.
+    """
     path = folder / RECORD
     if path.is_file():
         try:

@@ -4,9 +4,11 @@ What is changed at random may be as good as before; `HARMLESS` are changes that 
 """
 
 import ast
+import io
 import json
 import struct
 import tomllib
+import zipfile
 import zlib
 
 import changed_bytes
@@ -121,6 +123,42 @@ def npy_changed(rng, data):
     return data[:8] + struct.pack("<H", len(body)) + body + data[10 + length :]
 
 
+def archive_instead(rng, data):
+    """An NPZ file under the name of an NPY file: NumPy reads either, whatever the name."""
+    return npz({"arr_0.npy": data})
+
+
+def members(data):
+    """Name and content of the files in an NPZ file."""
+    with zipfile.ZipFile(io.BytesIO(data)) as archive:
+        return {name: archive.read(name) for name in archive.namelist()}
+
+
+def npz(files, compression=zipfile.ZIP_STORED):
+    """An NPZ file of such files."""
+    made = io.BytesIO()
+    with zipfile.ZipFile(made, "w", compression) as archive:
+        for name, content in files.items():
+            archive.writestr(zipfile.ZipInfo(name), content, compression)
+    return made.getvalue()
+
+
+def npz_array_changed(rng, data):
+    """A place of an array's header or content in an NPZ file; the checksums are right."""
+    files = members(data)
+    name = picked(rng, sorted(files))
+    change = picked(rng, (npy_changed, npy_changed, *changed_bytes.CHANGES))
+    return npz(files | {name: change(rng, files[name])})
+
+
+def npz_member_changed(rng, data):
+    """An array of an NPZ file is missing, has another name, or is another's."""
+    files = members(data)
+    name, other = picked(rng, sorted(files)), picked(rng, sorted(files))
+    content = files.pop(name)
+    return npz(picked(rng, (files, files | {f"x{name}": content}, {**files, name: content, other: content})))
+
+
 OF_SUFFIX = {
     ".toml": (text_changed, toml_changed, toml_changed, brackets_nested),
     ".obj": (text_changed, text_changed),
@@ -132,6 +170,9 @@ OF_SUFFIX = {
     ".json": (text_changed, json_changed, json_changed, brackets_nested),
     ".glb": (glb_changed, glb_changed, glb_changed, glb_binary_changed),
     ".png": (png_chunk_changed, png_rows_changed),
-    ".npy": (npy_changed, npy_changed),
+    ".npy": (npy_changed, npy_changed, archive_instead),
+    ".npz": (npz_array_changed, npz_array_changed, npz_member_changed),
     ".pfm": (text_changed,),
+    ".ipynb": (text_changed, json_changed, json_changed, brackets_nested),
+    ".frag": (text_changed,),
 }

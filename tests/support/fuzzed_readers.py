@@ -113,7 +113,7 @@ def of_bundle(path):
     return of_scene(path.parent)
 
 
-KINDS = {
+SCENE_KINDS = {
     "scene": of_scene,
     "mesh": of_mesh,
     "dump": of_dump,

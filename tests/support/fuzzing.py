@@ -14,7 +14,8 @@ from pathlib import Path
 
 from changed_files import changed
 from changed_values import picked
-from fuzzed_readers import KINDS
+from fuzzed_readers import SCENE_KINDS
+from fuzzed_record_readers import RECORD_KINDS
 from harmless_changes import harmless
 from valid_files import valid_files
 
@@ -26,6 +27,7 @@ HARMLESS_SHARE = 0.15
 MOST_CHANGES = 3
 LONGEST_LINE = 2500  # characters of a message, without the path
 A_LINE = re.compile(r".+: expected .+, got .+")
+KINDS = SCENE_KINDS | RECORD_KINDS  # kind -> what reads the first file of a valid one
 
 
 @dataclass(frozen=True)
@@ -149,7 +151,7 @@ def unworded(error, folder):
 
     if not isinstance(error, SssRefError):
         return "".join(traceback.format_exception(error))
-    lines = str(error).replace(str(folder), "").split("\n")
+    lines = str(error).replace(str(folder), ".").split("\n")
     wrong = [line for line in lines if not (A_LINE.fullmatch(line) and line.isprintable() and len(line) < LONGEST_LINE)]
     return f"no line of ours: {wrong[0][:2000]!r}" if wrong else None
 

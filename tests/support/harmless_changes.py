@@ -3,9 +3,10 @@
 import json
 import struct
 import tomllib
+import zipfile
 import zlib
 
-from changed_files import chunks, glb, png
+from changed_files import chunks, glb, members, npz, png
 from changed_values import NUMBER, picked, toml_text
 
 REMARK = b"# 1 2 3 [a] v f {\n"
@@ -124,6 +125,11 @@ def dds_reserved(rng, data):
     return data[:32] + rng.randbytes(44) + data[76:]
 
 
+def npz_packed_otherwise(rng, data):
+    """The arrays of an NPZ file compressed, or in another order."""
+    return npz(_reversed(members(data)), picked(rng, (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)))
+
+
 def _reversed(tree):
     """The same tables, the keys of each the other way round."""
     if isinstance(tree, dict):
@@ -143,5 +149,7 @@ OF_SUFFIX = {
     ".glb": (glb_respelt,),
     ".png": (png_remark, png_packed_otherwise),
     ".npy": (npy_header_padded,),
+    ".npz": (npz_packed_otherwise,),
+    ".ipynb": (json_respelt,),
     ".dds": (dds_reserved,),
 }

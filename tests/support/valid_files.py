@@ -7,9 +7,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
-from gltf_files import CORNERS, FACES, GltfBuilder
+from gltf_files import CORNERS, FACES
 from saved_scene import SCENE, TETRAHEDRON
 from valid_file import Valid, made, picture
+from valid_gltf import gltf, gltf_with_everything
+from valid_records import valid_records
 
 from sss_ref.bundle.writing import write_bundle
 from sss_ref.scene.load import load_scene
@@ -113,7 +115,7 @@ background = 1.0
 @cache
 def valid_files():
     """All of them, in an order that never changes."""
-    return (*_scenes(), *_meshes(), *_dumps(), *_texts(), *_results(), *_bundles())
+    return (*_scenes(), *_meshes(), *_dumps(), *_texts(), *_results(), *_bundles(), *valid_records())
 
 
 def _scenes():
@@ -142,6 +144,7 @@ def _meshes():
     yield Valid("mesh", "binary.stl", {"a.stl": binary_stl()})
     for name in ("a.gltf", "a.glb"):
         yield Valid("mesh", name, {name: gltf(name)})
+        yield Valid("mesh", f"everything in {name}", {name: gltf_with_everything(name)})
     for path in map(mesh_path, mesh_names()):
         if path.stat().st_size <= SMALL_ENOUGH:
             yield Valid("mesh", path.name, {f"a{path.suffix}": path.read_bytes()})
@@ -265,15 +268,3 @@ def binary_stl():
     """The tetrahedron as binary STL."""
     facets = (struct.pack("<3f", 0, 0, 0) + CORNERS[face].tobytes() + bytes(2) for face in FACES.reshape(-1, 3))
     return bytes(80) + struct.pack("<I", 4) + b"".join(facets)
-
-
-def gltf(name):
-    """Two nodes that move a mesh with texture coordinates, normals and a material."""
-    builder = GltfBuilder(
-        nodes=[{"mesh": 0, "children": [1]}, {"mesh": 0, "translation": [2, 0, 0], "scale": [1, 2, 1]}]
-    )
-    uvs = CORNERS[:, :2].copy()
-    primitive = builder.primitive(TEXCOORD_0=uvs, NORMAL=np.tile(np.float32([0, 0, 1]), (4, 1)))
-    builder.add("materials", {"name": "a", "pbrMetallicRoughness": {"baseColorFactor": [0.7, 0.4, 0.3, 1.0]}})
-    builder.add("meshes", {"primitives": [{**primitive, "material": 0}]})
-    return made(lambda path, _: builder.written(path.parent, name), name, None)
