@@ -83,11 +83,12 @@ def validate(
     from sss_ref.rendering.fold import render
     from sss_ref.scene.load import load_scene
     from sss_ref.validation.clock import Clock
-    from sss_ref.validation.report.junit import checked_junit_file, write_junit
     from sss_ref.validation.report.metrics import likeness, require_packages
     from sss_ref.validation.stage_by_stage import judge
 
     if junit:
+        from sss_ref.validation.report.junit import checked_junit_file, write_junit
+
         checked_junit_file(junit)
     shown_by = _chosen(run_glsl, run_wgsl)
     by_content = auto or (is_capture(dump) and not shown_by)
