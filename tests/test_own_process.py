@@ -18,7 +18,7 @@ sys.argv = ["sss-ref", *{arguments}]
 try:
     run()
 except SystemExit as left:
-    assert gc.get_threshold()[0] == NEW_OBJECTS
+    assert gc.get_threshold()[0] == NEW_OBJECTS and gc.get_freeze_count()
     sys.exit(left.code)
 """
 

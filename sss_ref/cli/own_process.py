@@ -4,7 +4,7 @@ import gc
 import sys
 from typing import NoReturn
 
-NEW_OBJECTS = 100_000  # after which rubbish is looked for; Python's 700 do so hundreds of times while modules load
+NEW_OBJECTS = 300_000  # after which rubbish is looked for: a rendering is over before; Python's 700 are soon there
 
 
 def run() -> NoReturn:
@@ -14,4 +14,7 @@ def run() -> NoReturn:
     from sss_ref.cli import main
 
     leave_out()
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    finally:
+        gc.freeze()  # or Python would look for rubbish in all that is loaded, several times, before it ends
