@@ -68,8 +68,8 @@ def _painting(scene: Scene, words: str) -> "Iterator[Painter[GPUTexture]]":
 class _WebGpuPainter:
     """Draws the passes of a scene by WebGPU, all at once as soon as something is read.
 
-    So all uploads come before all draws: a capture of RenderDoc, replayed, overwrites memory for later uploads without
-    waiting for the draws that still read it.
+    So all uploads come before all draws. With a submission for each draw RenderDoc replays a capture otherwise than it
+    was drawn: a pass read zeros where the one before it had drawn.
     meshes: pass -> what it draws. encoder: of what is to be drawn.
     """
 
