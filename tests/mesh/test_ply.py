@@ -77,6 +77,10 @@ SAME = {
     "one strip": [VERTEX, ("tristrips", STRIPS, [((0, 2, 1, 3, 0, 2),)])],
     "strips that start again": [VERTEX, ("tristrips", STRIPS, [((0, 2, 1, -1, 0, 1, 3, 2, -1, 0, 3, 2),)])],
     "a strip each": [VERTEX, ("tristrips", STRIPS, [(face,) for face in FACES])],
+    "strips of no triangle between": [
+        VERTEX,
+        ("tristrips", STRIPS, [(FACES[0],), ((3,),), ((),), (FACES[1],), ((1, 0),), (FACES[2],), (FACES[3],)]),
+    ],
     "a strip behind faces": [VERTEX, ("face", LIST, FACE[2][:2]), ("tristrips", STRIPS, [((0, 3, 2, 1),)])],
 }
 

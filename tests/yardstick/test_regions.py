@@ -63,6 +63,13 @@ def test_a_plate_lit_from_behind_is_thin_and_a_thick_one_dark(tmp_path):
         assert found.masks[name].all() and other not in found.masks
 
 
+def test_a_plate_that_light_grazes_from_behind_is_terminator_alone(tmp_path):
+    """N.L is -.2, and light goes 1 mm through it."""
+    plate = write_box(tmp_path / "plate.obj", (-30, -30, -0.2), (30, 30, 0))
+    found = regions(looking_down(plate, [parallel_light((0.98, 0.0, -0.2))], view_height=40.0), 1.0)
+    assert found.masks["terminator"].all() and "thin" not in found.masks and found.length > 0.5
+
+
 def test_a_shadow_has_an_edge(tmp_path):
     found = regions(shaded_plate(tmp_path / "plates.obj"), 1.0)
     across = found._buffers["position_world"][..., 0]
