@@ -49,6 +49,8 @@ def _table(found: "Report") -> Table:
     for one in found.verdicts:
         table.add_row(*_cells(one), style=_style(one))
     table.caption = "width: of the interval in which a value is right, in ulp; of 95 % of the values at most so much"
+    if any(map(any, (one.estimated for one in found.verdicts))):
+        table.caption += "; ~: estimated"
     table.caption_justify = "left"
     return table
 
@@ -75,6 +77,7 @@ def _cells(one: "Verdict") -> list[str]:
 
     total = one.compared
     same, whole = (f"{count / total:.2%}" if count is not None and total else "-" for count in (one.equal, one.chained))
-    shown = [str(count) if count else "-" for count in one.outcomes]
+    counted = zip(one.outcomes, one.estimated, strict=True)
+    shown = [f"{'~' if about else ''}{count}" if count else "-" for count, about in counted]
     outside = str(one.background.wrong) if one.background else "-"
     return [one.pass_name, one.stage, one.buffer, str(total), same, *shown, outside, whole, compact(one.widths.most)]

@@ -89,10 +89,14 @@ def stage_input(work: Work, values: Mapping[str, Any], name: str, kind: Any, at:
     return uniform_value(kind, work.uniforms[name])
 
 
+def pixel_numbers(rows: np.ndarray, columns: np.ndarray) -> ivec2:
+    """The pixels as a stage reads them, x first."""
+    return ivec2(columns.astype(np.int32), rows.astype(np.int32))
+
+
 def draw_values(work: Work, rows: np.ndarray, columns: np.ndarray) -> dict[str, Any]:
     """What a draw gives each fragment: its pixel, the interpolated varyings, and what the rasterizer wrote."""
-    pixel = ivec2(columns.astype(np.int32), rows.astype(np.int32))
-    values: dict[str, Any] = {PIXEL: pixel}
+    values: dict[str, Any] = {PIXEL: pixel_numbers(rows, columns)}
     draw, fragments = work.this_pass.draw, work.fragments
     if not draw.vertex_stages:
         return values

@@ -23,6 +23,7 @@ from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.chained import within_bounds
 from sss_ref.validation.accept.dumped import Buffers, Drawing, Stored
 from sss_ref.validation.accept.rebased import RASTERIZER, Check, checks, last_round
+from sss_ref.validation.accept.sparing import SAMPLE, Sparing
 from sss_ref.validation.clock import Clock, Limit
 from sss_ref.validation.profile_file import profile_of
 from sss_ref.validation.report.report import Finding, Report
@@ -118,7 +119,7 @@ def judge(
 def _verdicts(case: Case, only: np.ndarray | None, stage: str | None, clock: Clock) -> Iterator[tuple[Check, Verdict]]:
     """Every buffer in stage order, or those of one stage, judged on the chosen pixels."""
     buffers, method = case.drawing.buffers, case.oracle.scene.method
-    whereabouts, todo = Whereabouts(case.oracle, buffers), checks(case, stage)
+    whereabouts, todo = Whereabouts(case.oracle, buffers), checks(case, stage, Sparing(SAMPLE, only))
     while True:
         with clock.phase("rebased"):
             check = next(todo, None)
@@ -215,5 +216,5 @@ def _finding(case: Case, check: Check, verdict: Verdict, seconds: float) -> Find
     if not check.where.any():
         return Finding(check, (), section, witness=witness)
     limit = Limit(seconds)
-    found = hypotheses(Puzzle(case, check, drawn, all_stages(), limit))
+    found = hypotheses(Puzzle(case, check.where_bounded, drawn, all_stages(), limit))
     return Finding(check, tuple(found), section, limit.told, witness)

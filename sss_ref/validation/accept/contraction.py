@@ -11,17 +11,18 @@ from sss_ref.numerics.interval import Interval, hull, point
 from sss_ref.validation.accept.known import Known
 
 
-def contracted(dumped: Known, given: Known, kind: Any, profile: Profile) -> Known:
+def contracted(dumped: Known, given: Known | None, kind: Any, profile: Profile) -> Known:
     """A dumped value of a type as the next stage of its pass may have computed with it.
 
-    given: all that its own stage may have given. "fused" (see `Profile`): a product that a sum takes was not rounded,
-    so it may be anything between the two neighbours of what was; 0 is 0. "free": as well what its stage gives in any
-    other order, unless a condition or a texel was in doubt there, which the dumped value has decided.
+    given: all that its own stage may have given; None where nobody knows, which only "free" asks. "fused" (see
+    `Profile`): a product that a sum takes was not rounded, so it may be anything between the two neighbours of what
+    was; 0 is 0. "free": as well what its stage gives in any other order, unless a condition or a texel was in doubt
+    there, which the dumped value has decided.
     """
     if profile.contraction == "unfused" or kind in (bool, int, ivec2):
         return dumped
     near = componentwise(_unrounded, dumped.bounds)
-    if profile.contraction == "free":
+    if given is not None and profile.contraction == "free":
         near = componentwise(lambda a, b: _decided(a, b, given.doubt), near, given.bounds)
     return Known(dumped.exact, near, dumped.doubt)
 

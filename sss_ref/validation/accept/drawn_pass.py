@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.interpret.arrays import draw_values
+from sss_ref.interpret.arrays import draw_values, pixel_numbers
 from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.interpret.work import Work, buffer_value, uniform_value
 from sss_ref.language.pipeline import PIXEL, Pass
 from sss_ref.language.stage import Stage
 from sss_ref.results.diff import bits
 from sss_ref.validation.accept.acceptance import INTERPOLATION, around
+from sss_ref.validation.accept.contraction import contracted
 from sss_ref.validation.accept.dumped import Drawing
 from sss_ref.validation.accept.known import Known, KnownBuffer, Pixels, stacked
 from sss_ref.validation.accept.rasterizer.interpolation import interpolation_slack
@@ -60,11 +61,19 @@ class DrawnPass:
 
     def given(self, at: Pixels) -> dict[str, Known]:
         """What the draw gives some pixels: name -> value, the varyings with all that they may be."""
-        values = draw_values(self.work, *at)
+        values = self.exactly_given(at)
         known = {name: Known.exactly(value) for name, value in values.items()}
         if self.visible is not None:
-            known |= {name: Known(values[name], self._spread(name, at, values)) for name in self._varyings}
+            varyings = [name for name in self._varyings if name in values]
+            known |= {name: Known(values[name], self._spread(name, at, values)) for name in varyings}
         return known
+
+    def exactly_given(self, at: Pixels) -> dict[str, Any]:
+        """The same, each value as it is here; where no stage reads what comes of the mesh, the pixels alone."""
+        of_mesh = {*self._varyings, *self.this_pass.draw.outputs}
+        if any(of_mesh.intersection(stage.reads.values()) for stage in self.this_pass.stages):
+            return draw_values(self.work, *at)
+        return {PIXEL: pixel_numbers(*at)}
 
     def results(self, stage: Stage, inputs: Sequence[Any], at: Pixels) -> dict[str, Any]:
         """What a stage gives exactly, buffer -> value: what the oracle's gave where it ran and read the same."""
@@ -88,10 +97,21 @@ class DrawnPass:
             return set()
         return {PIXEL, *same, *(set(self.work.uniforms) - set(there))}
 
+    def running(self, stages: tuple[Stage, ...]) -> "DrawnPass":
+        """The same with some of its stages; what they read of the others must have been dumped."""
+        return replace(self, work=replace(self.work, this_pass=replace(self.this_pass, stages=stages)))
+
+    def hands_bounds_on(self, stage: Stage, later: Stage) -> bool:
+        """Whether one stage hands another what was not dumped, or what a compiler may take together with it."""
+        shared = {*stage.writes.values()}.intersection(later.reads.values())
+        return bool(shared) and (self.profile.contraction == "free" or not shared <= set(self.drawing.buffers))
+
     def outside(self, name: str, kind: Any, at: Pixels) -> Known:
-        """What a stage reads that neither the draw nor a stage of this pass gives: a buffer or a uniform."""
+        """What a stage reads that neither the draw nor a stage that runs here gives: a buffer or a uniform."""
         if name in self.read:
             return self.read[name].read(kind, at)
+        if name not in self.work.uniforms:  # of a stage that was left out, see `running`
+            return contracted(self.drawing.handed_on(name, kind, at), None, kind, self.profile)
         uniform = self.work.uniforms[name]
         if name in self.drawing.stored:
             return self.drawing.as_read(name, uniform).read(kind, at)

@@ -13,8 +13,9 @@ from sss_ref.dump.srgb import decoded_around
 from sss_ref.interpret.intervals.value_sets import componentwise
 from sss_ref.interpret.work import buffer_value
 from sss_ref.numerics.interval import Interval
+from sss_ref.results.diff import bits
 from sss_ref.validation.accept.known import Known, KnownBuffer, Pixels
-from sss_ref.validation.accept.storage import after_storage, before_storage
+from sss_ref.validation.accept.storage import after_storage, before_storage, moved
 
 Buffers = Mapping[str, np.ndarray]
 Stored = Mapping[str, str | Loss]  # buffer -> its storage, of those that are not in float32
@@ -52,6 +53,19 @@ class Drawing:
         file = before_storage(self.stored.get(name, "float32"), held)
         texture = self.rounded.get(name, "float32")
         return Interval(before_storage(texture, file.low).low, before_storage(texture, file.high).high)
+
+    def differs(self, name: str, exact: np.ndarray) -> np.ndarray:
+        """Bool (H, W): where the dump of a buffer holds neither these values, nor what storage may make of them."""
+        got = self.buffers.get(name, exact)
+        found = np.atleast_3d(bits(exact) != bits(got)).any(axis=-1)
+        storages = self.stored.get(name, "float32"), self.rounded.get(name, "float32")
+        if loss_of(storages[0]) == loss_of(storages[1]) == EXACT or not found.any():
+            return found
+        computed, held = np.atleast_3d(exact)[found], np.atleast_3d(got)[found]
+        with np.errstate(invalid="ignore"):
+            near = np.abs(held.astype(np.float64) - computed) <= moved(*storages, computed, held)
+        found[found] = ~(near & np.isfinite(held)).all(axis=-1)
+        return found
 
     def texture(self, name: str) -> str | Loss:
         """The storage of the texture that a buffer was in."""

@@ -18,9 +18,11 @@ from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import KnownBuffer
 from sss_ref.validation.accept.outside import nothing_drawn
+from sss_ref.validation.accept.sparing import Sparing
 from sss_ref.validation.accept.storage import depth_storage, moved
-from sss_ref.validation.accept.walk import filled, in_rounds, untouched
+from sss_ref.validation.accept.walk import filled, untouched
 
+EVERYWHERE = Sparing()
 RASTERIZER = "rasterizer"  # the name under which what the draw itself writes is judged
 
 
@@ -32,7 +34,8 @@ class Check:
     shape: how far a processor of the profile may be off. undecided: bool (H, W), where it may choose one of several
     texels or sides. covered: of the rasterizer, uint8 (H, W), whether a pixel must be covered (`MUST_NOT` to `MUST`).
     outside: of a stage, bool (H, W), the pixels on which nothing is drawn: there its background stands. fragments: of a
-    stage, bool (H, W), the pixels on which it runs, compared or not.
+    stage, bool (H, W), the pixels on which it runs, compared or not. bounded: of a stage, uint8 (H, W), where its
+    bounds were worked out (see `Sparing`): elsewhere the reach is what storage makes it; None: everywhere.
     """
 
     pass_name: str
@@ -46,11 +49,17 @@ class Check:
     covered: np.ndarray | None = None
     outside: np.ndarray | None = None
     fragments: np.ndarray | None = None
+    bounded: np.ndarray | None = None
 
     @property
     def comparable(self) -> np.ndarray:
         """Bool (H, W): the pixels that a whole judgement compares."""
         return self.where if self.fragments is None else self.fragments
+
+    @property
+    def where_bounded(self) -> "Check":
+        """The check on the pixels of which bounds were worked out: all that differ, and a sample of the others."""
+        return self if self.bounded is None else self.only_at(self.bounded != 0)
 
     def only_at(self, chosen: np.ndarray) -> "Check":
         """The check on some of its pixels, bool (H, W)."""
@@ -59,17 +68,20 @@ class Check:
         return replace(self, where=self.where & chosen, outside=outside, fragments=fragments)
 
 
-def checks(case: Case, only: str | None = None) -> Iterator[Check]:
-    """All buffers of a dump in stage order, or those of a single stage."""
+def checks(case: Case, only: str | None = None, sparing: Sparing = EVERYWHERE) -> Iterator[Check]:
+    """All buffers of a dump in stage order, or those of a single stage. sparing: as in `checks_of`."""
     for this_pass in case.oracle.scene.method.passes:
         if _written(this_pass, only) & set(case.drawing.buffers):
-            yield from (check for check in checks_of(case, this_pass) if only in (None, check.stage))
+            yield from (check for check in checks_of(case, this_pass, sparing) if only in (None, check.stage))
 
 
-def checks_of(case: Case, this_pass: Pass) -> Iterator[Check]:
-    """All buffers of a dump that a pass wrote, in stage order."""
+def checks_of(case: Case, this_pass: Pass, sparing: Sparing = EVERYWHERE) -> Iterator[Check]:
+    """All buffers of a dump that a pass wrote, in stage order.
+
+    sparing: at which pixels bounds are worked out.
+    """
     drawn = case.drawn(this_pass)
-    for check in chain(_checks_of_draw(case, drawn), _checks_of_stages(case, drawn)):
+    for check in chain(_checks_of_draw(case, drawn), _checks_of_stages(case, drawn, sparing)):
         yield _as_stored(check, case)
 
 
@@ -106,18 +118,18 @@ def _checks_of_draw(case: Case, drawn: DrawnPass) -> Iterator[Check]:
         yield replace(check, undecided=visible.several, covered=visible.covered) if visible else check
 
 
-def _checks_of_stages(case: Case, drawn: DrawnPass) -> Iterator[Check]:
+def _checks_of_stages(case: Case, drawn: DrawnPass, sparing: Sparing) -> Iterator[Check]:
     this_pass, dumped = drawn.this_pass, case.drawing.buffers
     where = drawn.work.fragments.where if drawn.visible else _same_triangle(case, drawn)
     writers = {name: stage.name for stage in this_pass.stages for name in stage.writes.values()}
     wanted = [name for name in writers if name in dumped or name in this_pass.fed_back]
     start = untouched(case.oracle, drawn, wanted)
-    found = in_rounds(drawn, drawn.read, where, start)
+    found = sparing.filled(drawn, where, start)
     outside = nothing_drawn(case, drawn)
     for name in (name for name in wanted if name in dumped):
-        known = found[name]
-        check = Check(this_pass.name, writers[name], name, where, known.exact, dumped[name], known.reach, known.doubt)
-        check = replace(check, fragments=drawn.work.fragments.where)
+        own = found[name]
+        check = Check(this_pass.name, writers[name], name, where, own.exact, dumped[name], own.reach, own.doubt)
+        check = replace(check, fragments=drawn.work.fragments.where, bounded=own.bounded)
         yield check if this_pass.is_register(name) else _with_background(check, outside, case.oracle.scene.clear(name))
 
 

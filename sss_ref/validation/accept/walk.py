@@ -4,7 +4,7 @@ A stage gets what was dumped of the stages before it in its pass; of what was no
 """
 
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from sss_ref.interpret.arrays import in_chunks
+from sss_ref.interpret.work import buffer_value
 from sss_ref.language.layout import dtype_of, shape_of
 from sss_ref.language.stage import Stage
 from sss_ref.rendering.result import Result
@@ -51,6 +52,18 @@ def walk(drawn: DrawnPass, at: Pixels) -> Iterator[StageRun]:
             known[name] = contracted(dumped.handed_on(name, kind, at), written[name], kind, drawn.profile)
 
 
+def exact_runs(drawn: DrawnPass, at: Pixels) -> Iterator[tuple[Stage, dict[str, Any]]]:
+    """The stages of a pass at some pixels, and what each gives exactly, buffer -> value; as `walk` has it."""
+    known, dumped = drawn.exactly_given(at), drawn.drawing.buffers
+    for stage in drawn.this_pass.stages:
+        named = [(stage.reads[own], kind) for own, kind in stage.parameters.items()]
+        inputs = [known[name] if name in known else drawn.outside(name, kind, at).exact for name, kind in named]
+        results = drawn.results(stage, inputs, at)
+        yield stage, results
+        kinds = {name: stage.outputs[own] for own, name in stage.writes.items()}
+        known |= {n: buffer_value(kinds[n], dumped[n], *at) if n in dumped else results[n] for n in kinds}
+
+
 def run_stage(drawn: DrawnPass, at: Pixels, buffer: str) -> StageRun:
     """The stage that writes a buffer, at some pixels."""
     return next(run for run in walk(drawn, at) if buffer in run.written)
@@ -68,11 +81,16 @@ def filled(drawn: DrawnPass, where: np.ndarray, start: Mapping[str, KnownBuffer]
             for name in (name for name in run.written if name in buffers):
                 buffers[name].write(run.written[name], at)
 
+    side_by_side(fill, where)
+    return buffers
+
+
+def side_by_side(fill: Callable[[Pixels], None], where: np.ndarray) -> None:
+    """Do something with all pixels of a mask, bool (H, W), some at a time; on large pictures by several threads."""
     chunks = list(in_chunks(where))
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         for _ in (pool.map if len(chunks) > 1 else map)(fill, chunks):
             pass
-    return buffers
 
 
 def in_rounds(

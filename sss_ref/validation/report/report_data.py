@@ -50,6 +50,7 @@ def _buffer(verdict: Verdict) -> dict[str, Any]:
         "same_bits": verdict.equal,
         "within_chained": verdict.chained,
         "outcomes": list(verdict.outcomes),
+        "bounded": verdict.bounded,
         "ulps": list(verdict.ulps),
         "widths": list(verdict.widths.counts),
         "width_of_95_percent": _finite(verdict.widths.most),

@@ -38,7 +38,8 @@ def _pass_rows(name: str, verdicts: Iterable[Verdict]) -> str:
 
 
 def _row(verdict: Verdict) -> str:
-    counts = [f"{count:,}" if count else "·" for count in verdict.outcomes]
+    counted = zip(verdict.outcomes, verdict.estimated, strict=True)
+    counts = [f"{'~' if about else ''}{count:,}" if count else "·" for count, about in counted]
     same, whole = (_share(count, verdict.compared) for count in (verdict.equal, verdict.chained))
     widths, ulps = _histogram(verdict.widths.counts, WIDTH_CLASSES), _histogram(verdict.ulps, ULP_CLASSES)
     name = f"{escape(verdict.buffer)}<small>{escape(verdict.stage)}</small>"
@@ -80,7 +81,8 @@ def _classes() -> str:
     """What the columns of the two histograms stand for."""
     widths, ulps = (escape(", ".join(classes)) for classes in (WIDTH_CLASSES, ULP_CLASSES))
     most = "95 %: the width that so many of the values have at most"
-    return f'<p class="soft">Widths of the intervals, in ulp: {widths}; {most}. Ulp off: {ulps}.</p>'
+    about = "~: estimated from a sample, where values are the exact ones"
+    return f'<p class="soft">Widths of the intervals, in ulp: {widths}; {most}. Ulp off: {ulps}. {about}.</p>'
 
 
 def _power_row(power: Power) -> str:

@@ -1,12 +1,13 @@
 """What becomes of each compared pixel: right beyond doubt, one of several right values, wrong, or unknown."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import reduce
 
 import numpy as np
 
 from sss_ref.results.diff import bits
 from sss_ref.validation.accept.rebased import Check
+from sss_ref.validation.accept.sparing import SAMPLED
 
 OUTCOMES = ("certain", "ambiguous", "fail", "undefined", "unbounded")
 """In reach; in reach where a processor may take one of several texels or sides; out of reach; not finite where that may
@@ -21,7 +22,8 @@ class Compared:
     """The N compared pixels of a check, row by row from the bottom.
 
     expected, got: (N, C). reach: float64 (N, C), how far they may differ. differs: bool (N,), whether any bit does.
-    outcome: uint8 (N,), indices of OUTCOMES.
+    outcome: uint8 (N,), indices of OUTCOMES. bounded: uint8 (N,), where bounds were worked out, as in `Reached`; None:
+    everywhere.
     """
 
     expected: np.ndarray
@@ -29,37 +31,63 @@ class Compared:
     reach: np.ndarray
     differs: np.ndarray
     outcome: np.ndarray
+    bounded: np.ndarray | None = None
 
     def count(self, outcome: int) -> int:
-        """How many pixels have an outcome."""
-        return int((self.outcome == outcome).sum())
+        """How many pixels have an outcome; of one that bounds decide, the spared ones as often as those like them."""
+        there = self.outcome == outcome
+        if self.bounded is None or outcome not in (AMBIGUOUS, UNBOUNDED):
+            return int(there.sum())
+        defined = self.outcome != UNDEFINED
+        spared, alike = (defined & (self.bounded == reason) for reason in (0, SAMPLED))
+        share = (there & alike).sum() / max(alike.sum(), 1)
+        return int(there.sum()) + round(float(share * spared.sum()))
+
+    @property
+    def sample(self) -> np.ndarray:
+        """Bool (N,): the pixels that stand for all in what is said of how wide bounds are."""
+        defined = self.outcome != UNDEFINED
+        return defined if self.bounded is None else defined & (self.bounded & SAMPLED != 0)
 
 
 def compared(check: Check) -> Compared:
     """The compared pixels and their outcomes; a NaN where only numbers are right is a failure."""
-    arrays = check.expected, check.got, check.reach
-    expected, got, reach = (pixels_at(array, check.where) for array in arrays)
-    unbounded = np.isinf(reach)
+    expected, got = (pixels_at(array, check.where) for array in (check.expected, check.got))
+    outcome, reach = np.full(len(got), CERTAIN, np.uint8), np.zeros(got.shape)
+    outcome[in_any_channel(~np.isfinite(expected))] = UNDEFINED
+    pixels = Compared(expected, got, reach, in_any_channel(bits(expected) != bits(got)), outcome)
+    if check.bounded is None:
+        return _decided(pixels, check, check.where, expected)
+    bounded = pixels_at(check.bounded, check.where)[:, 0]
+    told = np.flatnonzero(bounded)
+    some = Compared(expected[told], got[told], reach[told], pixels.differs[told], outcome[told])
+    some = _decided(some, check, check.where & (check.bounded != 0), expected)
+    reach[told], outcome[told] = some.reach, some.outcome
+    return replace(pixels, bounded=bounded)
+
+
+def _decided(pixels: Compared, check: Check, where: np.ndarray, numbers: np.ndarray) -> Compared:
+    """The pixels of a mask, bool (H, W), with their reach and what that makes of them. numbers: the whole buffer's."""
+    expected, got, reach = pixels.expected, pixels.got, pixels_at(check.reach, where)
+    unbounded, outcome, differs = np.isinf(reach), pixels.outcome.copy(), pixels.differs
     undefined = ~np.isfinite(expected) | unbounded & ~np.isfinite(got)
-    outcome = np.full(len(got), CERTAIN, np.uint8)
     if check.undecided is not None:
-        outcome[pixels_at(check.undecided, check.where)[:, 0]] = AMBIGUOUS
-    outcome[in_any_channel(unbounded) | _holds_all(expected, reach)] = UNBOUNDED
+        outcome[pixels_at(check.undecided, where)[:, 0]] = AMBIGUOUS
+    outcome[in_any_channel(unbounded) | _holds_all(expected, reach, numbers)] = UNBOUNDED
     outcome[in_any_channel(undefined)] = UNDEFINED
-    differs = in_any_channel(bits(expected) != bits(got))
     beyond = ~(distance(expected[differs], got[differs]) <= reach[differs]) & ~undefined[differs]
     outcome[np.flatnonzero(differs)[in_any_channel(beyond)]] = FAIL
-    return Compared(expected, got, reach, differs, outcome)
+    return replace(pixels, reach=reach, outcome=outcome)
 
 
-def _holds_all(expected: np.ndarray, reach: np.ndarray) -> np.ndarray:
-    """Bool (N,): the pixels whose intervals hold 0 and every number of the buffer, in all channels: no test of it."""
+def _holds_all(expected: np.ndarray, reach: np.ndarray, numbers: np.ndarray) -> np.ndarray:
+    """Bool (N,): the pixels whose intervals hold 0 and every one of these numbers, in all channels: no test of them."""
     if expected.dtype.kind != "f" or not reach.any():
         return np.zeros(len(expected), bool)
-    numbers = np.where(np.isfinite(expected), expected, np.float32(0))
-    least, most = (np.array([end(column, initial=0) for column in numbers.T], float) for end in (np.min, np.max))
+    finite = (np.where(np.isfinite(each), each, np.float32(0)) for each in numbers.T)
+    least, most = np.array([(column.min(initial=0), column.max(initial=0)) for column in finite], float).T
     found = ~in_any_channel(reach < WIDE * (most - least))
-    numbers, reach = numbers[found].astype(np.float64), reach[found]
+    numbers, reach = np.where(np.isfinite(expected), expected, 0)[found].astype(np.float64), reach[found]
     found[found] = ~in_any_channel((numbers - reach > least) | (numbers + reach < most)) & (most > least).any()
     return found
 

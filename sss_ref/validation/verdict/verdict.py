@@ -8,10 +8,20 @@ from sss_ref.results.diff import ULP_CLASSES, ulp_class
 from sss_ref.validation.accept.rebased import Check
 from sss_ref.validation.verdict.background import Background, background_of
 from sss_ref.validation.verdict.clusters import Clusters, Whereabouts
-from sss_ref.validation.verdict.outcomes import AMBIGUOUS, FAIL, UNBOUNDED, UNDEFINED, Compared, compared, distance
+from sss_ref.validation.verdict.outcomes import (
+    AMBIGUOUS,
+    FAIL,
+    OUTCOMES,
+    UNBOUNDED,
+    UNDEFINED,
+    Compared,
+    compared,
+    distance,
+)
 from sss_ref.validation.verdict.pixel_text import pixel_text
 from sss_ref.validation.verdict.widths import Widths, in_ulps, share_let_pass, widths_of
 
+ESTIMATED = ("certain", "ambiguous", "unbounded")  # outcomes that a sample tells of pixels whose value is the exact one
 LOOSE = 0.1  # of what a buffer holds, on average: 0.01 at most where all is given and profile vulkan or gl
 
 
@@ -46,7 +56,8 @@ class Verdict:
     stages one of which is, as PASS/STAGE in stage order: its own as the last, and those before it whose results were
     not given. background: what stands where nothing is drawn, if that is wrong. comparable: how many pixels a whole
     judgement compares. passing: how much of what the buffer holds is let pass on average, 0 to 1. narrowing: of one
-    that is judged loosely, the buffers that were not given and would narrow its bounds.
+    that is judged loosely, the buffers that were not given and would narrow its bounds. bounded: of how many pixels
+    bounds were worked out; ambiguous and unbounded are estimates where that is fewer than were compared.
     """
 
     pass_name: str
@@ -69,6 +80,7 @@ class Verdict:
     comparable: int = 0
     passing: float = 0.0
     narrowing: tuple[str, ...] = ()
+    bounded: int = 0
 
     @property
     def decided(self) -> float:
@@ -90,6 +102,12 @@ class Verdict:
     def outcomes(self) -> tuple[int, ...]:
         """Pixels with each of OUTCOMES."""
         return self.certain, self.ambiguous, self.failing, self.undefined, self.unbounded
+
+    @property
+    def estimated(self) -> tuple[bool, ...]:
+        """Whether each of `outcomes` is an estimate; where none seems ambiguous or unbounded, not so."""
+        seen = self.bounded < self.compared and bool(self.ambiguous or self.unbounded)
+        return tuple(seen and each in ESTIMATED for each in OUTCOMES)
 
     @property
     def inherits(self) -> bool:
@@ -120,8 +138,8 @@ class Verdict:
 def judged(check: Check, whereabouts: Whereabouts) -> Verdict:
     """The verdict on one buffer."""
     pixels = compared(check)
-    defined, wrong = pixels.outcome != UNDEFINED, pixels.outcome == FAIL
-    held = [each if defined.all() else each[defined] for each in (pixels.expected, pixels.reach)]
+    defined, wrong, sample = pixels.outcome != UNDEFINED, pixels.outcome == FAIL, pixels.sample
+    held = [each if sample.all() else each[sample] for each in (pixels.expected, pixels.reach)]
     verdict = Verdict(
         check.pass_name,
         check.stage,
@@ -137,6 +155,7 @@ def judged(check: Check, whereabouts: Whereabouts) -> Verdict:
         background=background_of(check),
         comparable=int(check.comparable.sum()),
         passing=share_let_pass(*held),
+        bounded=len(wrong) if pixels.bounded is None else np.count_nonzero(pixels.bounded),
     )
     return _with_wrong_pixels(verdict, check, pixels, whereabouts) if wrong.any() else verdict
 
