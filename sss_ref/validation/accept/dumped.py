@@ -57,7 +57,7 @@ class Drawing:
     def differs(self, name: str, exact: np.ndarray) -> np.ndarray:
         """Bool (H, W): where the dump of a buffer holds neither these values, nor what storage may make of them."""
         got = self.buffers.get(name, exact)
-        found = np.atleast_3d(bits(exact) != bits(got)).any(axis=-1)
+        found: np.ndarray = np.logical_or.reduce(np.atleast_3d(bits(exact) != bits(got)), axis=-1)
         storages = self.stored.get(name, "float32"), self.rounded.get(name, "float32")
         if loss_of(storages[0]) == loss_of(storages[1]) == EXACT or not found.any():
             return found

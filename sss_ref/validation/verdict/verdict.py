@@ -155,7 +155,7 @@ def judged(check: Check, whereabouts: Whereabouts) -> Verdict:
         background=background_of(check),
         comparable=int(check.comparable.sum()),
         passing=share_let_pass(*held),
-        bounded=len(wrong) if pixels.bounded is None else np.count_nonzero(pixels.bounded),
+        bounded=len(wrong) if pixels.bounded is None else int(np.count_nonzero(pixels.bounded)),
     )
     return _with_wrong_pixels(verdict, check, pixels, whereabouts) if wrong.any() else verdict
 
