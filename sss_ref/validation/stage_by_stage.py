@@ -21,9 +21,11 @@ from sss_ref.scene.load import load_scene
 from sss_ref.scene.scene import Scene
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.chained import within_bounds
+from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.dumped import Buffers, Drawing, Stored
 from sss_ref.validation.accept.rebased import RASTERIZER, Check, checks, last_round
 from sss_ref.validation.accept.sparing import SAMPLE, Sparing
+from sss_ref.validation.accept.walk import run_stage
 from sss_ref.validation.clock import Clock, Limit
 from sss_ref.validation.profile_file import profile_of
 from sss_ref.validation.report.report import Finding, Report
@@ -33,7 +35,9 @@ from sss_ref.validation.verdict.suspects import narrowing, suspects
 from sss_ref.validation.verdict.verdict import Verdict, judged
 
 if TYPE_CHECKING:
+    from sss_ref.explanation.rows import Section
     from sss_ref.validation.cause.power import Power
+    from sss_ref.validation.witness.witness import Witness
 
 DEFAULT_PROFILE = "vulkan"
 
@@ -207,14 +211,21 @@ def _finding(case: Case, check: Check, verdict: Verdict, seconds: float) -> Find
     """Look closer at what is wrong, with all that this takes, which a right dump does not."""
     from sss_ref.validation.cause.hypotheses import hypotheses
     from sss_ref.validation.cause.puzzle import Puzzle
+
+    drawn = last_round(case, case.oracle.scene.method[check.pass_name])
+    worst = verdict.worst if check.stage != RASTERIZER else None
+    section, witness = _at_worst(check, worst.at, drawn) if worst else (None, None)
+    if not check.where.any():
+        return Finding(check, (), section, witness)
+    limit = Limit(seconds)
+    found = hypotheses(Puzzle(case, check.where_bounded, drawn, all_stages(), limit))
+    return Finding(check, tuple(found), section, witness, limit.told)
+
+
+def _at_worst(check: Check, pixel: tuple[int, int], drawn: DrawnPass) -> "tuple[Section, Witness]":
+    """The stage at the worst pixel (column, row), line by line and cut down to it."""
     from sss_ref.validation.report.worst_pixel import worst_pixel
     from sss_ref.validation.witness.cutting import cut_down
 
-    drawn = last_round(case, case.oracle.scene.method[check.pass_name])
-    section = worst_pixel(check, verdict.worst.at, drawn) if verdict.worst else None
-    witness = cut_down(check, verdict.worst.at, drawn) if verdict.worst else None
-    if not check.where.any():
-        return Finding(check, (), section, witness=witness)
-    limit = Limit(seconds)
-    found = hypotheses(Puzzle(case, check.where_bounded, drawn, all_stages(), limit))
-    return Finding(check, tuple(found), section, limit.told, witness)
+    run = run_stage(drawn, (np.array([pixel[1]]), np.array([pixel[0]])), check.buffer)
+    return worst_pixel(check, pixel, run, drawn.profile), cut_down(check, pixel, run, drawn)

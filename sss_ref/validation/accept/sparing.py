@@ -11,10 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from sss_ref.interpret.work import store
-from sss_ref.language.stage import Stage
 from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import KnownBuffer, Pixels
-from sss_ref.validation.accept.walk import exact_runs, in_rounds, side_by_side, walk
+from sss_ref.validation.accept.walk import exact_runs, groups, in_rounds, side_by_side, walk
 
 SAMPLE = 4096  # pixels of a pass: of a share of a hundredth some forty
 
@@ -85,18 +84,6 @@ def sampled(where: np.ndarray, count: int) -> np.ndarray:
     return found
 
 
-def groups(drawn: DrawnPass) -> list[tuple[Stage, ...]]:
-    """The stages of a pass, those together of which one needs the bounds of what another gives: it was not dumped."""
-    stages, found = drawn.this_pass.stages, list[set[int]]()
-    for number, stage in enumerate(stages):
-        joined = {number}
-        for group in found:
-            if any(drawn.hands_bounds_on(stages[each], stage) for each in group):
-                joined |= group
-        found = [group for group in found if not group <= joined] + [joined]
-    return [tuple(stages[each] for each in sorted(group)) for group in found]
-
-
 def _reached(drawn: DrawnPass, exact: Mapping[str, np.ndarray], bounded: np.ndarray) -> dict[str, Reached]:
     """What the stages of a group may write, by bounds at some pixels. exact: what they give."""
     found = {name: Reached(buffer, *_nowhere(buffer), bounded) for name, buffer in exact.items()}
@@ -122,7 +109,7 @@ def _exactly(drawn: DrawnPass, where: np.ndarray, start: Mapping[str, KnownBuffe
     buffers = {name: buffer.exact.copy() for name, buffer in start.items()}
 
     def fill(at: Pixels) -> None:
-        for _, results in exact_runs(drawn, at):
+        for _, _, results in exact_runs(drawn, at):
             for name in (name for name in results if name in buffers):
                 store(buffers[name], *at, results[name])
 

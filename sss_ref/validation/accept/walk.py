@@ -52,21 +52,47 @@ def walk(drawn: DrawnPass, at: Pixels) -> Iterator[StageRun]:
             known[name] = contracted(dumped.handed_on(name, kind, at), written[name], kind, drawn.profile)
 
 
-def exact_runs(drawn: DrawnPass, at: Pixels) -> Iterator[tuple[Stage, dict[str, Any]]]:
-    """The stages of a pass at some pixels, and what each gives exactly, buffer -> value; as `walk` has it."""
+def exact_runs(drawn: DrawnPass, at: Pixels) -> Iterator[tuple[Stage, list[Any], dict[str, Any]]]:
+    """The stages of a pass at some pixels, what each reads, one value for each parameter, and gives: buffer -> value.
+
+    All as it is exactly, where `walk` has the bounds as well.
+    """
     known, dumped = drawn.exactly_given(at), drawn.drawing.buffers
     for stage in drawn.this_pass.stages:
         named = [(stage.reads[own], kind) for own, kind in stage.parameters.items()]
         inputs = [known[name] if name in known else drawn.outside(name, kind, at).exact for name, kind in named]
         results = drawn.results(stage, inputs, at)
-        yield stage, results
+        yield stage, inputs, results
         kinds = {name: stage.outputs[own] for own, name in stage.writes.items()}
         known |= {n: buffer_value(kinds[n], dumped[n], *at) if n in dumped else results[n] for n in kinds}
 
 
 def run_stage(drawn: DrawnPass, at: Pixels, buffer: str) -> StageRun:
     """The stage that writes a buffer, at some pixels."""
-    return next(run for run in walk(drawn, at) if buffer in run.written)
+    return next(run for run in walk(drawn.running(_group_of(drawn, buffer)), at) if buffer in run.written)
+
+
+def exact_run(drawn: DrawnPass, at: Pixels, buffer: str) -> tuple[Stage, list[Any]]:
+    """The stage that writes a buffer, and what it reads exactly at some pixels, one value for each parameter."""
+    runs = exact_runs(drawn.running(_group_of(drawn, buffer)), at)
+    return next((stage, inputs) for stage, inputs, results in runs if buffer in results)
+
+
+def groups(drawn: DrawnPass) -> list[tuple[Stage, ...]]:
+    """The stages of a pass, those together of which one needs the bounds of what another gives: it was not dumped."""
+    stages, found = drawn.this_pass.stages, list[set[int]]()
+    for number, stage in enumerate(stages):
+        joined = {number}
+        for group in found:
+            if any(drawn.hands_bounds_on(stages[each], stage) for each in group):
+                joined |= group
+        found = [group for group in found if not group <= joined] + [joined]
+    return [tuple(stages[each] for each in sorted(group)) for group in found]
+
+
+def _group_of(drawn: DrawnPass, buffer: str) -> tuple[Stage, ...]:
+    """The group with the stage that writes a buffer."""
+    return next(group for group in groups(drawn) if any(buffer in stage.writes.values() for stage in group))
 
 
 def filled(drawn: DrawnPass, where: np.ndarray, start: Mapping[str, KnownBuffer]) -> dict[str, KnownBuffer]:

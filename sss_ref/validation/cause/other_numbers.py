@@ -52,9 +52,10 @@ def _first_that_fits(sample: Sample, few: Sample, own: str, tried: Iterable[Numb
     """The first of some values of a uniform that can mean anything and explains what is wrong."""
     low, high = MEANING.get(Name.of(own).base, (-np.inf, np.inf))
     for number in (each for each in tried if all(low <= part <= high for part in each)):
-        near, whole = (part.fit(_with_number(part, own, number, 0, number[0])) for part in (few, sample))
-        if min(*near, *whole) >= ENOUGH:
-            return number, whole
+        if min(few.fit(_with_number(few, own, number, 0, number[0]))) >= ENOUGH:
+            whole = sample.fit(_with_number(sample, own, number, 0, number[0]))
+            if min(whole) >= ENOUGH:
+                return number, whole
     return None
 
 

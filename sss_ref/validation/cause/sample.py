@@ -11,7 +11,7 @@ from sss_ref.language.types import Vector
 from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import Pixels, stacked
 from sss_ref.validation.accept.rebased import Check
-from sss_ref.validation.accept.walk import run_stage
+from sss_ref.validation.accept.walk import exact_run
 from sss_ref.validation.cause.chain import Chain, chain_of
 
 SAMPLE = 600  # pixels on which explanations are tried
@@ -90,8 +90,7 @@ def sample_of(check: Check, drawn: DrawnPass, wrong: np.ndarray) -> Sample | Non
     if check.stage not in {stage.name for stage in drawn.this_pass.stages}:
         return None
     at = _chosen(check, wrong)
-    run = run_stage(drawn, at, check.buffer)
-    return _sampled(check, run.stage, run.inputs, at, wrong)
+    return _sampled(check, *exact_run(drawn, at, check.buffer), at, wrong)
 
 
 def chain_sample_of(check: Check, drawn: DrawnPass, wrong: np.ndarray) -> Sample | None:

@@ -33,8 +33,8 @@ class Finding:
     check: Check
     hypotheses: tuple[Hypothesis, ...]
     section: "Section | None"
-    not_tried: str = ""
     witness: "Witness | None" = None
+    not_tried: str = ""
 
 
 @dataclass(frozen=True)

@@ -11,20 +11,15 @@ from sss_ref.interpret.intervals.profile import Profile
 from sss_ref.interpret.trace import scalar, trace
 from sss_ref.interpret.work import buffer_value
 from sss_ref.validation.accept.acceptance import around
-from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import Pixels
-from sss_ref.validation.accept.rebased import RASTERIZER, Check
-from sss_ref.validation.accept.walk import StageRun, run_stage
+from sss_ref.validation.accept.rebased import Check
+from sss_ref.validation.accept.walk import StageRun
 
 
-def worst_pixel(check: Check, pixel: tuple[int, int], drawn: DrawnPass) -> Section | None:
-    """The stage that is wrong, at one pixel (column, row), with what was dumped before it; None of the rasterizer."""
-    if check.stage == RASTERIZER:
-        return None
-    at = np.array([pixel[1]]), np.array([pixel[0]])
-    run = run_stage(drawn, at, check.buffer)
-    section = section_of(_traced(run, drawn.profile), Detail(depth=1, glsl=True))
-    section.rows.append(_got(check, run, at))
+def worst_pixel(check: Check, pixel: tuple[int, int], run: StageRun, profile: Profile) -> Section:
+    """The stage that is wrong, run at one pixel (column, row) with what was dumped before it."""
+    section = section_of(_traced(run, profile), Detail(depth=1, glsl=True))
+    section.rows.append(_got(check, run, (np.array([pixel[1]]), np.array([pixel[0]]))))
     return section
 
 

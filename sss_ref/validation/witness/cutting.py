@@ -4,21 +4,15 @@ import numpy as np
 
 from sss_ref.language.layout import dtype_of
 from sss_ref.validation.accept.drawn_pass import DrawnPass
-from sss_ref.validation.accept.rebased import RASTERIZER, Check
-from sss_ref.validation.accept.walk import run_stage
+from sss_ref.validation.accept.rebased import Check
+from sss_ref.validation.accept.walk import StageRun
 from sss_ref.validation.witness.situation import Situation
 from sss_ref.validation.witness.witness import DrawnValue, Witness
 
 
-def cut_down(check: Check, pixel: tuple[int, int], drawn: DrawnPass) -> Witness | None:
-    """The witness of one pixel (column, row) of a buffer; None of the rasterizer, which is no stage.
-
-    drawn: the pass, with what was dumped before the stage.
-    """
-    if check.stage == RASTERIZER:
-        return None
+def cut_down(check: Check, pixel: tuple[int, int], run: StageRun, drawn: DrawnPass) -> Witness:
+    """The witness of one pixel (column, row) of a buffer. run: its stage there; drawn: its pass."""
     column, row = pixel
-    run = run_stage(drawn, (np.array([row]), np.array([column])), check.buffer)
     output = next(own for own, name in run.stage.writes.items() if name == check.buffer)
     got = np.atleast_1d(check.got[row, column]).astype(dtype_of(run.stage.outputs[output]))
     dumped, buffer = drawn.drawing, check.buffer

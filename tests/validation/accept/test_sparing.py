@@ -14,7 +14,8 @@ from sss_ref.validation import stage_by_stage
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.dumped import Drawing
 from sss_ref.validation.accept.rebased import RASTERIZER, checks
-from sss_ref.validation.accept.sparing import NEEDED, SAMPLED, Sparing, groups, sampled
+from sss_ref.validation.accept.sparing import NEEDED, SAMPLED, Sparing, sampled
+from sss_ref.validation.accept.walk import groups
 from sss_ref.validation.stage_by_stage import validate
 from sss_ref.validation.verdict.outcomes import AMBIGUOUS, CERTAIN, FAIL, NOT_COMPARED, Compared, outcome_map
 
