@@ -8,7 +8,7 @@ reads nor the caller keeps is let go.
 import os
 import time
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Executor, ThreadPoolExecutor
+from concurrent.futures import Executor
 from contextlib import contextmanager
 
 import numpy as np
@@ -18,6 +18,7 @@ from sss_ref.interpret import arrays
 from sss_ref.interpret.kernel import strips
 from sss_ref.language.pipeline import Pass
 from sss_ref.raster.viewport import FINEST
+from sss_ref.rendering.crew import Crew
 from sss_ref.rendering.cut_off import cut_off
 from sss_ref.rendering.draw import Buffers, Machine, Sketch, draw, shade
 from sss_ref.rendering.memory import check_memory
@@ -122,5 +123,5 @@ def _pool(threads: int | None) -> Iterator[Executor | None]:
     if count == 1:
         yield None
         return
-    with ThreadPoolExecutor(count) as pool:
+    with Crew(count) as pool:
         yield pool
