@@ -1,5 +1,7 @@
 """Which numbers a texture holds, by the formats' definitions: codes by their fractions, small floats by their bits."""
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
@@ -20,6 +22,15 @@ def test_codes_are_held_and_nothing_between_or_beyond(storage, largest):
     assert not np.any(held(storage, *(codes[:-1] + 0.5 / largest)))
     assert held(storage, 1 + 1 / largest, -1 - 1 / largest, np.inf, np.nan) == [[False]] * 4
     assert np.all(held(storage, *-codes[1:])) == np.any(held(storage, *-codes[1:])) == storage.startswith("snorm")
+
+
+def test_two_ways_to_round_a_code_lie_within_a_four_millionth():
+    """Exactly, in fractions: of each code the float32 nearest to it and the next four."""
+    for code in range(1, 256):
+        near = np.float32(code / 255)
+        values = [near + steps * np.spacing(near) for steps in range(5)]
+        apart = [abs(Fraction(float(each)) - Fraction(code, 255)) for each in values]
+        assert held("unorm8", *values) == [[each <= Fraction(code, 255) / 2**22] for each in apart]
 
 
 def decoded(code):

@@ -20,6 +20,7 @@ NO_DOCUMENT = {
     b'{"a": NaN}': "JSON with the number NaN",
     b'{"a": -Infinity}': "JSON with the number -Infinity",
     b'{"a": {"b": 1, "b": 2}}': 'JSON with the key "b" twice',
+    b'{"%b": 1, "%b": 2}' % (b"k" * 99, b"k" * 99): f'JSON with the key "{"k" * 59} twice',
     b'{"a": ' + b"1" * 5000 + b"}": "JSON with a number of too many digits",
 }
 

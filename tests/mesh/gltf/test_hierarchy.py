@@ -176,6 +176,12 @@ def test_many_nodes(tmp_path, monkeypatch):
     assert refusal(placed([{}, {}]), tmp_path) == "nodes: expected at most 1, got 2; simplify the mesh"
 
 
+def test_more_nodes_than_any_file_has(tmp_path):
+    builder = placed([{}])
+    builder.tables["nodes"] = [{}] * (2**17 + 1)
+    assert refusal(builder, tmp_path) == "nodes: expected at most 131072, got 131073; simplify the mesh"
+
+
 def test_positions_that_leave_float32(tmp_path):
     assert refusal(placed([{"scale": [1e39, 1, 1]}]), tmp_path) == (
         "meshes[0].primitives[0] at nodes[0]: expected positions that are finite in float32, "
