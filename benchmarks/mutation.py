@@ -72,7 +72,7 @@ def main() -> None:
     for room, count in sorted(Counter(mutant.room for mutant in stopped).items()):
         print(f"{room}: {sum(hit for mutant, hit in stopped.items() if mutant.room == room)} of {count}")
     hits = sum(stopped.values())
-    low, high = interval(hits, len(stopped))
+    low, high = interval(hits, max(len(stopped), 1))
     share = f"{hits / max(len(stopped), 1):.0%} (of all {len(every)} places {low:.0%} to {high:.0%} with 95 %)"
     print(f"{hits} of {len(stopped)} stopped, {share}, seed {asked.seed}; {len(sample) - len(tests)} equivalent")
 
