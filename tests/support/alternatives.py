@@ -26,7 +26,10 @@ def all_methods():
 
 @cache
 def methods_with_settings():
-    """Methods with their settings: all alternatives, three lights, a kernel in mm, maps, `published`."""
+    """Methods with their settings: all alternatives, three lights, a kernel in mm, maps, `published`.
+
+    How light falls off is one stage's affair, which no other alternative touches: it is tried beside them.
+    """
     choices = {
         "method": METHODS,
         "mesh.color": ((0.7, 0.4, 0.4), "material"),
@@ -36,7 +39,6 @@ def methods_with_settings():
         "translucency.form": alternatives(scattering.TranslucencySettings, "form"),
         "translucency.combine": alternatives(scattering.TranslucencySettings, "combine"),
         "blur.mask": alternatives(scattering.Blur, "mask"),
-        "lights.0.falloff": alternatives(viewpoints.PointLight, "falloff"),
         "irradiance_map.mode": alternatives(settings.IrradianceMap, "mode"),
         "irradiance_map.image": alternatives(settings.IrradianceMap, "image"),
     }
@@ -44,6 +46,10 @@ def methods_with_settings():
     for method in METHODS:
         cases.append({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * 3})
         cases.append({"method": method, "lights.0.type": "directional"})
+        cases += [
+            {"method": method, "lights.0.falloff": falloff}
+            for falloff in alternatives(viewpoints.PointLight, "falloff")
+        ]
         cases.append({"method": method, "preset": "published"})
         for lights, mask, follow in product((1, 3), alternatives(scattering.Blur, "mask"), (False, True)):
             blur = {"unit": "mm", "mask": mask, "follow_surface": follow}

@@ -1,9 +1,11 @@
 """The shaders of every alternative of a scene file, in any dialect."""
 
+from functools import cache
+
 from alternatives import LAYER, alternatives
 from scenes import settings_with
 
-from sss_ref.interpret.shader import shader_files
+from sss_ref.interpret.shader.passes import draws, fragment_shader, vertex_shader
 from sss_ref.scene.catalogue import METHODS, TECHNIQUES, method_of
 from sss_ref.scene_file import scattering, settings
 
@@ -48,21 +50,52 @@ TOGETHER = (
 )
 
 
+CASES = [
+    *({"method": method, key: value} for method in METHODS for key, values in CHOICES.items() for value in values),
+    *({"method": method, **together} for method in METHODS for together in TOGETHER),
+    *({"method": method, **lights} for method in TECHNIQUES for lights in ({}, {"lights.0.type": "directional"})),
+    *({"layers": [LAYER], **lights} for lights in ({}, {"lights.0.type": "directional"})),
+]
+
+
 def shaders_of(dialect):
     """Every shader once: (suffix, source)."""
-    cases = [
-        {"method": method, key: value} for method in METHODS for key, values in CHOICES.items() for value in values
+    all_lengths = (LENGTHS, {}) if dialect.longest_array else ({},)
+    return sorted(
+        {
+            shader
+            for this_pass, there in passes_in_place()
+            for lengths in all_lengths
+            for shader in shaders_of_pass(this_pass, there, lengths, dialect)
+        }
+    )
+
+
+def shaders_of_pass(this_pass, there, lengths, dialect):
+    """(suffix, source) of each as `shader_files` has them."""
+    yield "vert", vertex_shader(this_pass, lengths, dialect)
+    for outputs in draws(this_pass, this_pass.outputs, dialect).values():
+        yield "frag", fragment_shader(this_pass, there, outputs, lengths, dialect)
+
+
+@cache
+def passes_in_place():
+    """Every pass of the cases once, and the names of the buffers that are there before it: most cases share most."""
+    found = {}
+    for case in CASES:
+        there = frozenset()
+        for this_pass in method_of(settings_with(case)).passes:
+            found.setdefault((told(this_pass), there), (this_pass, there))
+            there |= set(this_pass.outputs)
+    return [*found.values()]
+
+
+def told(this_pass):
+    """A pass in words: its stages with names and types, what it draws and keeps."""
+    draw = this_pass.draw
+    stages = [
+        (stage.name, stage.reads, stage.writes, stage.parameters, stage.outputs)
+        for stage in (*draw.vertex_stages, *this_pass.stages)
     ]
-    cases += [{"method": method, **together} for method in METHODS for together in TOGETHER]
-    cases += [
-        {"method": method, **lights} for method in TECHNIQUES for lights in ({}, {"lights.0.type": "directional"})
-    ]
-    cases += [{"layers": [LAYER], **lights} for lights in ({}, {"lights.0.type": "directional"})]
-    methods = [method_of(settings_with(case)) for case in cases]
-    files = [
-        item
-        for method in methods
-        for lengths in ((LENGTHS, {}) if dialect.longest_array else ({},))
-        for item in shader_files(method, lengths, dialect).items()
-    ]
-    return sorted({(name.rpartition(".")[2], source) for name, source in files})
+    drawn = [type(draw), *(value for name, value in vars(draw).items() if name != "vertex")]
+    return str((this_pass.name, drawn, draw.varyings, stages, this_pass.registers))
