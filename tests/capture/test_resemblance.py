@@ -8,6 +8,8 @@ import pytest
 
 from sss_ref.capture.resemblance import Columns, resemblance, uncommon
 
+ONE = pytest.approx(1, rel=1e-12)  # the sum of the parts' weights
+
 
 def orders(share, least):
     return math.log10(min(max(share, least), 1)) / math.log10(least)
@@ -62,12 +64,29 @@ def test_the_same_is_alike_and_a_squared_distance_in_perfect_order():
     assert 0.3 < squared.total < 0.6 and squared.close < 0.1
 
 
-def test_what_does_not_vary_is_told_by_its_numbers_alone():
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e3])
+def test_what_does_not_vary_is_told_by_its_numbers_alone(unit):
     """A hundredth of the value is its spread: 1.0001 is a hundredth of that beside, half of the orders that count."""
-    one = Columns.of(np.full((4, 1), 1.0), np.zeros((9, 1), bool))
-    near = Columns.of(np.full((4, 1), 1.0001), np.zeros((9, 1), bool))
+    one = Columns.of(np.full((4, 1), unit), np.zeros((9, 1), bool))
+    near = Columns.of(np.full((4, 1), 1.0001 * unit), np.zeros((9, 1), bool))
     found = resemblance(near, one, np.zeros((4, 1)), False)
     assert found.close == pytest.approx(0.5) and found.total == pytest.approx(0.9 * 0.5 + 0.1)
+
+
+def test_the_unit_of_length_is_all_the_same():
+    distance = np.linspace(1, 3, 20)[:, None]
+    drawn, off = np.ones((9, 1), bool), np.zeros((20, 1))
+    totals = [
+        resemblance(Columns.of(distance**2 * unit, drawn), Columns.of(distance * unit, drawn), off, False).total
+        for unit in (1.0, 1e-9)
+    ]
+    assert totals[0] == pytest.approx(totals[1], rel=1e-9)
+
+
+def test_nothing_and_one_pixel_are_pictures_too():
+    nothing, dot = np.zeros((9, 1), bool), np.eye(9, 1, dtype=bool)
+    assert resemblance(*[Columns.of(np.zeros((4, 1)), nothing)] * 2, np.zeros((4, 1)), False).total == ONE
+    assert resemblance(*[Columns.of(np.ones((4, 1)), dot)] * 2, np.zeros((4, 1)), False).total == ONE
 
 
 def test_uncommon_is_what_is_not_the_commonest_of_its_channel():
