@@ -9,13 +9,14 @@ from sss_ref.language.pipeline import Pass
 from sss_ref.rendering.draw import Buffers, Machine, draw, shade
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.rebased import Check
+from sss_ref.validation.cause.hypothesis import INPUT, SETTING, Charge
 from sss_ref.validation.cause.on_the_way import within
 
 MORE = 2  # rounds beyond those that are right
 AS_DRAWN = "the map was used as drawn, without dilation"
 
 
-def dilations(case: Case, check: Check) -> Iterator[tuple[str, np.ndarray]]:
+def dilations(case: Case, check: Check) -> Iterator[tuple[Charge, np.ndarray]]:
     """Other numbers of rounds of the pass, and maps that it reads before their dilation: in words, and bool (H, W).
 
     The pixels are those on which the buffer is as that leaves it.
@@ -23,11 +24,11 @@ def dilations(case: Case, check: Check) -> Iterator[tuple[str, np.ndarray]]:
     this_pass = case.oracle.scene.method[check.pass_name]
     there = {**case.oracle.buffers, **case.drawing.buffers}
     tried = _other_rounds(case, this_pass, there) if this_pass.fed_back else _as_drawn(case, this_pass, check, there)
-    for text, drawn in tried:
-        yield text, within(check, check.got, drawn[check.buffer])
+    for charge, drawn in tried:
+        yield charge, within(check, check.got, drawn[check.buffer])
 
 
-def _other_rounds(case: Case, this_pass: Pass, there: Buffers) -> Iterator[tuple[str, Buffers]]:
+def _other_rounds(case: Case, this_pass: Pass, there: Buffers) -> Iterator[tuple[Charge, Buffers]]:
     """What a pass gives after other numbers of rounds; after none, what it was given."""
     scene, machine = case.oracle.scene, Machine(stops=False)
     fragments = draw(scene, this_pass, there, machine).fragments
@@ -41,10 +42,10 @@ def _other_rounds(case: Case, this_pass: Pass, there: Buffers) -> Iterator[tuple
     for rounds, written in enumerate(after):
         if rounds != this_pass.rounds:
             told = f"{this_pass.name} runs {rounds} round{'s' * (rounds != 1)} instead of {this_pass.rounds}"
-            yield told if rounds else AS_DRAWN, written
+            yield Charge(told if rounds else AS_DRAWN, SETTING), written
 
 
-def _as_drawn(case: Case, this_pass: Pass, check: Check, there: Buffers) -> Iterator[tuple[str, Buffers]]:
+def _as_drawn(case: Case, this_pass: Pass, check: Check, there: Buffers) -> Iterator[tuple[Charge, Buffers]]:
     """What a pass gives if it reads the maps before their dilation, and is limited by their masks then."""
     scene, machine = case.oracle.scene, Machine(stops=False)
     fed_back = {own: name for each in scene.method.passes for name, own in each.feedback.items()}
@@ -53,4 +54,5 @@ def _as_drawn(case: Case, this_pass: Pass, check: Check, there: Buffers) -> Iter
         read = {**there, **{own: there[name] for own, name in changed.items()}}
         names = " and ".join(f"{name} for {own}" for own, name in changed.items())
         fragments = draw(scene, this_pass, read, machine).fragments
-        yield f"{AS_DRAWN}: {names}", shade(scene, this_pass, fragments, read, [check.buffer], machine)
+        charge = Charge(f"{AS_DRAWN}: {names}", INPUT, tuple(changed))
+        yield charge, shade(scene, this_pass, fragments, read, [check.buffer], machine)

@@ -11,7 +11,7 @@ from itertools import chain
 
 from sss_ref.validation.cause.beside import backgrounds
 from sss_ref.validation.cause.dilation import dilations
-from sss_ref.validation.cause.hypothesis import TELLING, Hypothesis, fitting
+from sss_ref.validation.cause.hypothesis import SETTING, STATE, TELLING, Charge, Hypothesis, fitting
 from sss_ref.validation.cause.of_draws import of_draws, of_vertices
 from sss_ref.validation.cause.of_stages import mutated, of_stages
 from sss_ref.validation.cause.of_suspects import mutated_suspects, of_suspects
@@ -29,7 +29,8 @@ def hypotheses(puzzle: Puzzle) -> list[Hypothesis]:
     and once one fits, what is less simple is not looked for: the stages before, the draw, a mistake in the source.
     """
     if puzzle.wrong.sum() < TELLING:
-        return fitting(Hypothesis(text, share, 1.0) for text, share in backgrounds(puzzle.check, puzzle.drawn))
+        beside = backgrounds(puzzle.check, puzzle.drawn)
+        return fitting(Charge(text, SETTING).fitting((share, 1.0), STATE) for text, share in beside)
     for tried in _in_turn(puzzle):
         found = fitting(tried)
         if found:
@@ -57,7 +58,7 @@ def _in_turn(puzzle: Puzzle) -> Iterator[Iterable[Hypothesis]]:
 
 def _of_buffers(puzzle: Puzzle) -> Iterator[Hypothesis]:
     """What may have happened to the buffer on its way, and to the maps that it is made from."""
-    for text, holds, where in changes_on_the_way(puzzle.check):
-        yield Hypothesis(text, *fit_of(holds[where], puzzle.wrong[where]))
-    for text, holds in dilations(puzzle.case, puzzle.check):
-        yield Hypothesis(text, *puzzle.fit(holds))
+    for charge, holds, where in changes_on_the_way(puzzle.check):
+        yield charge.fitting(fit_of(holds[where], puzzle.wrong[where]), STATE)
+    for charge, holds in dilations(puzzle.case, puzzle.check):
+        yield charge.fitting(puzzle.fit(holds), STATE)

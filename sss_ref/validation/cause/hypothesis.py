@@ -9,6 +9,24 @@ ALL = 0.999
 MOST_ALIKE = 4  # mistakes that compute the same, said one by one
 
 STATE, NUMBER, STAGE, FITTED, MUTANT = range(5)  # what is the simpler explanation comes first
+SOURCE, SETTING, INPUT = "source", "setting", "input"  # what an explanation blames
+
+
+@dataclass(frozen=True)
+class Charge:
+    """What may be wrong, in words.
+
+    blames: SOURCE, what a stage computes; SETTING, how it is drawn and stored; or INPUT, what it is given.
+    names: of the uniforms or buffers that the words are about.
+    """
+
+    text: str
+    blames: str
+    names: tuple[str, ...] = ()
+
+    def fitting(self, fit: tuple[float, float], rank: int) -> "Hypothesis":
+        """The same with how well it fits: its share and what it keeps, as a hypothesis has them."""
+        return Hypothesis(self.text, *fit, rank, self.blames, self.names)
 
 
 @dataclass(frozen=True)
@@ -16,13 +34,15 @@ class Hypothesis:
     """An explanation in words.
 
     share: of the wrong pixels tried, those that it brings within reach. kept: of the right ones, those that stay so.
-    rank: how simple it is, one of STATE, NUMBER, STAGE, FITTED and MUTANT.
+    rank: how simple it is, one of STATE, NUMBER, STAGE, FITTED and MUTANT. blames, names: as a charge has them.
     """
 
     text: str
     share: float
     kept: float
-    rank: int = STATE
+    rank: int
+    blames: str
+    names: tuple[str, ...] = ()
 
     @property
     def order(self) -> tuple[bool, int, float]:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from sss_ref.language.types import mat4
+from sss_ref.validation.cause.hypothesis import INPUT, NUMBER, SETTING, STATE, Charge
 from sss_ref.validation.cause.redrawn import Matrix, Redrawing, lies, seen_otherwise
 from sss_ref.validation.clock import Limit
 
@@ -24,10 +25,11 @@ AROUND = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if (x, y) != (0, 0)]
 
 @dataclass(frozen=True)
 class LyingOff:
-    """What a picture's lying off is, in words, and the uniforms with which it does."""
+    """What a picture's lying off is, the uniforms with which it does, and how simple an explanation that is."""
 
-    text: str
+    charge: Charge
     uniforms: Mapping[str, Any]
+    rank: int = STATE
 
 
 @dataclass(frozen=True)
@@ -49,8 +51,10 @@ class Projected:
         return {self.name: (change @ self.right).astype(np.float32)}
 
     def off_by(self, x: float, y: float) -> LyingOff:
-        """A picture that lies beside its place."""
-        return LyingOff(f"{lies(x, y)}: a viewport, or a jitter left in {self.name}", self.uniforms(x, y))
+        """A picture that lies beside its place; a viewport moves it by halves of pixels, other parts a matrix does."""
+        text = f"{lies(x, y)}: a viewport, or a jitter left in {self.name}"
+        blames = SETTING if all((2 * each).is_integer() for each in (x, y)) else INPUT
+        return LyingOff(Charge(text, blames, (self.name,)), self.uniforms(x, y))
 
     def with_planes(self, slope: float, offset: float) -> LyingOff:
         """A picture whose depths d (0 to 1) are slope * d + offset."""
@@ -62,12 +66,12 @@ class Projected:
             text = f"{self.name} has other near and far planes: depths are {slope:.4g} * d + {offset:.4g}"
         else:
             text = f"{self.name} has near {there[0]:.3g} and far {there[1]:.3g}, not {ours[0]:.3g} and {ours[1]:.3g}"
-        return LyingOff(text, {self.name: matrix.astype(np.float32)})
+        return LyingOff(Charge(text, INPUT, (self.name,)), {self.name: matrix.astype(np.float32)})
 
     def larger(self, scale: float) -> LyingOff:
         """A picture of another size."""
         text = f"{self.name} is {seen_otherwise(self.right)} {1 / scale:.4g} times as large"
-        return LyingOff(text, self.uniforms(0.0, 0.0, scale))
+        return LyingOff(Charge(text, INPUT, (self.name,)), self.uniforms(0.0, 0.0, scale), NUMBER)
 
 
 def lying_off(todo: Redrawing, limit: Limit) -> Iterator[LyingOff]:

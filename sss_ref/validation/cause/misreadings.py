@@ -11,6 +11,7 @@ from sss_ref.language import Array, Texture, dot, ivec2, length, max, nearest_te
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import vec2, vec3
 from sss_ref.passes import phong
+from sss_ref.validation.cause.hypothesis import INPUT, SETTING, SOURCE, Charge
 
 Given = Mapping[str, Any]  # parameter of a stage -> value
 HALF, ONE, ZERO = np.float32(0.5), np.float32(1), np.float32(0)
@@ -20,11 +21,15 @@ EDGE = 64  # texels by which a picture is repeated beyond its edge
 
 @dataclass(frozen=True)
 class Misreading:
-    """What is done instead by stages that write `output`: a function of the right stage and of what it is given."""
+    """What is done instead by stages that write `output`: a function of the right stage and of what it is given.
+
+    blames: as a charge has it.
+    """
 
     text: str
     output: str
     compute: Callable[[Any, Given], Any]
+    blames: str = SOURCE
 
 
 def _terms(given: Given) -> tuple[Any, Any, Any]:
@@ -178,8 +183,8 @@ def _unmapped(right: Any, given: Given) -> Any:
 
 
 MISREADINGS = (
-    Misreading("the normal map's green is upside down", "normal_world", _green_down),
-    Misreading("the normal map is read as sRGB", "normal_world", _other_texels("normal_map", _decoded)),
+    Misreading("the normal map's green is upside down", "normal_world", _green_down, INPUT),
+    Misreading("the normal map is read as sRGB", "normal_world", _other_texels("normal_map", _decoded), SETTING),
     Misreading(
         "the normal map is taken from 0 to 1, not from -1 to 1",
         "normal_world",
@@ -190,10 +195,12 @@ MISREADINGS = (
         "normal_world",
         _other_texels("normal_map", lambda texels: texels[..., [1, 0, 2]]),
     ),
-    Misreading("there is no normal map", "normal_world", _unmapped),
-    Misreading("the specular map is read as sRGB", "mapped_specular", _other_texels("specular_map", _decoded)),
+    Misreading("there is no normal map", "normal_world", _unmapped, INPUT),
+    Misreading("the specular map is read as sRGB", "mapped_specular", _other_texels("specular_map", _decoded), SETTING),
     *(
-        Misreading(f"the {picture} is read upside down", output, _other_texels(name, lambda texels: texels[::-1]))
+        Misreading(
+            f"the {picture} is read upside down", output, _other_texels(name, lambda texels: texels[::-1]), INPUT
+        )
         for picture, name, output in (
             ("texture", "albedo_map", "albedo"),
             ("normal map", "normal_map", "normal_world"),
@@ -210,9 +217,9 @@ MISREADINGS = (
     Misreading("what wraps round is not divided by 1 + wrap", "lit", _undivided_wrap),
     Misreading("what wraps round is not divided by 1 + wrap", "irradiance_used", _undivided_wrap),
     Misreading("nothing fades between the two bodies", "seen", _unfaded),
-    Misreading("the Gaussians are e^(-d^2/(2*v))", "translucency", _other_variances(lambda v: v + v)),
-    Misreading("v is a standard deviation: e^(-d^2/(v*v))", "translucency", _other_variances(lambda v: v * v)),
-    Misreading("all channels have the weights of red", "translucency", _red_for_all("gaussian_weight")),
+    Misreading("the Gaussians are e^(-d^2/(2*v))", "translucency", _other_variances(lambda v: v + v), INPUT),
+    Misreading("v is a standard deviation: e^(-d^2/(v*v))", "translucency", _other_variances(lambda v: v * v), INPUT),
+    Misreading("all channels have the weights of red", "translucency", _red_for_all("gaussian_weight"), INPUT),
     Misreading("it is the depth along the light's axis, not the distance |P - L|", "light_distance", _along_axis),
     Misreading(
         "the shadow map is read upside down: v counts from the top",
@@ -230,17 +237,17 @@ MISREADINGS = (
         misreading
         for output in ("scattered", "scattered_irradiance", "light_visible")
         for misreading in (
-            Misreading("the last tap is left out", output, _fewer_taps),
-            Misreading("it is blurred in gamma space", output, _in_gamma_space),
-            Misreading("all channels have the weights of red", output, _red_for_all("tap_weight")),
-            Misreading("the texture repeats beyond its edge (REPEAT for CLAMP)", output, _repeated),
+            Misreading("the last tap is left out", output, _fewer_taps, INPUT),
+            Misreading("it is blurred in gamma space", output, _in_gamma_space, SETTING),
+            Misreading("all channels have the weights of red", output, _red_for_all("tap_weight"), INPUT),
+            Misreading("the texture repeats beyond its edge (REPEAT for CLAMP)", output, _repeated, SETTING),
         )
     ),
 )
 
 
-def misread(stage: Stage, output: str, given: Given) -> Iterator[tuple[str, Any]]:
-    """What a stage gives for one of its outputs if it is misread: in words, and the value.
+def misread(stage: Stage, output: str, given: Given) -> Iterator[tuple[Charge, Any]]:
+    """What a stage gives for one of its outputs if it is misread: the charge, and the value.
 
     given: parameter -> value. Left out is what needs other inputs than the stage has.
     """
@@ -250,4 +257,4 @@ def misread(stage: Stage, output: str, given: Given) -> Iterator[tuple[str, Any]
 
     for each in (each for each in MISREADINGS if each.output == output):
         with np.errstate(all="ignore"), suppress(KeyError, IndexError):
-            yield each.text, each.compute(right, given)
+            yield Charge(each.text, each.blames), each.compute(right, given)

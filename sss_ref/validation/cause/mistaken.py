@@ -6,29 +6,31 @@ from functools import wraps
 from typing import Any
 
 from sss_ref.language.stage import Stage
+from sss_ref.validation.cause.hypothesis import SOURCE, Charge
 from sss_ref.validation.cause.misreadings import MISREADINGS, Given, Misreading
 from sss_ref.validation.cause.mutants import mutants
 
 
-def stages_instead(stage: Stage, others: Mapping[str, Stage]) -> Iterator[tuple[str, Stage]]:
+def stages_instead(stage: Stage, others: Mapping[str, Stage]) -> Iterator[tuple[Charge, Stage]]:
     """Other stages of ours that write the same from the same inputs, in words."""
     for name, other in others.items():
         alike = set(other.outputs) == set(stage.outputs) and set(other.parameters) <= set(stage.parameters)
         if name != stage.name and alike:
             reads = {own: stage.reads[own] for own in other.parameters}
-            yield f"it computes {name}, not {stage.name}", replace(other, reads=reads, writes=stage.writes)
+            charge = Charge(f"it computes {name}, not {stage.name}", SOURCE)
+            yield charge, replace(other, reads=reads, writes=stage.writes)
 
 
-def stages_misread(stage: Stage) -> Iterator[tuple[str, Stage]]:
+def stages_misread(stage: Stage) -> Iterator[tuple[Charge, Stage]]:
     """A stage as it is often misread, in words."""
     for each in (each for each in MISREADINGS if each.output in stage.outputs):
-        yield f"{stage.name}: {each.text}", computing(stage, _misread(stage, each))
+        yield Charge(f"{stage.name}: {each.text}", each.blames), computing(stage, _misread(stage, each))
 
 
-def stages_mutated(stage: Stage) -> Iterator[tuple[str, Stage]]:
+def stages_mutated(stage: Stage) -> Iterator[tuple[Charge, Stage]]:
     """A stage with one place of its source changed, in words."""
     for mutant in mutants(stage):
-        yield f"{stage.name}: {mutant.description}", stage.with_body(mutant.body)
+        yield Charge(f"{stage.name}: {mutant.description}", SOURCE), stage.with_body(mutant.body)
 
 
 def computing(stage: Stage, compute: Callable[..., Any]) -> Stage:

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from sss_ref.validation.accept.rebased import RASTERIZER
-from sss_ref.validation.cause.hypothesis import MUTANT, NUMBER, STATE, Hypothesis, any_of, fitting
+from sss_ref.validation.cause.hypothesis import MUTANT, SETTING, SOURCE, STATE, Charge, Hypothesis, any_of, fitting
 from sss_ref.validation.cause.lying_off import lying_off
 from sss_ref.validation.cause.mishaps import SAME_DEPTH, mishaps
 from sss_ref.validation.cause.on_the_way import within
@@ -26,14 +26,14 @@ def of_draws(puzzle: Puzzle) -> Iterator[Hypothesis]:
     yield from measured
     if fitting(measured):
         return
-    for text, draw in limit.within("draws", redrawings(_redrawing(puzzle))):
+    for charge, rank, draw in limit.within("draws", redrawings(_redrawing(puzzle))):
         holds = within(check, check.got, draw())
         if check.buffer == drawn.this_pass.draw.depth:
             holds |= np.abs(check.got.astype(np.float64) - draw()) <= SAME_DEPTH
-        yield Hypothesis(text, *puzzle.fit(holds), NUMBER if " is " in text else STATE)
+        yield charge.fitting(puzzle.fit(holds), rank)
     if check.stage == RASTERIZER and drawn.visible:
         for text, same in limit.within("mishaps of the draw", mishaps(drawn.visible, check.buffer, check.got)):
-            yield Hypothesis(text, *puzzle.fit(same))
+            yield Charge(text, SETTING).fitting(puzzle.fit(same), STATE)
 
 
 def _redrawing(puzzle: Puzzle) -> Redrawing:
@@ -49,15 +49,15 @@ def _lying_off(puzzle: Puzzle) -> Iterator[Hypothesis]:
             again = todo.judged(each.uniforms, profile)
             both = check.where & again.where
             fit = fit_of((outcome_map(again) != FAIL)[both], puzzle.wrong[both])
-            yield Hypothesis(each.text, *fit, NUMBER if " is " in each.text else STATE)
+            yield each.charge.fitting(fit, each.rank)
 
 
 def of_vertices(puzzle: Puzzle) -> Iterator[Hypothesis]:
     """Mistakes in the vertex stage; those that draw the same are one explanation."""
     check, todo, alike = puzzle.check, _redrawing(puzzle), dict[bytes, tuple[Fit, list[str]]]()
     (vertex,) = todo.this_pass.draw.vertex_stages
-    for text, stage in puzzle.limit.within("mistakes in the vertex stage", vertex_stages(vertex)):
+    for charge, stage in puzzle.limit.within("mistakes in the vertex stage", vertex_stages(vertex)):
         drawn = todo.with_vertex(stage).draw()
-        alike.setdefault(drawn.tobytes(), (puzzle.fit(within(check, check.got, drawn)), []))[1].append(text)
+        alike.setdefault(drawn.tobytes(), (puzzle.fit(within(check, check.got, drawn)), []))[1].append(charge.text)
     for fit, texts in alike.values():
-        yield Hypothesis(any_of(texts), *fit, MUTANT)
+        yield Charge(any_of(texts), SOURCE).fitting(fit, MUTANT)

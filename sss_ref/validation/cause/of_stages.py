@@ -13,7 +13,17 @@ from sss_ref.passes.buffers import BUFFERS
 from sss_ref.scene_file.kernels import KERNELS
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.known import stacked
-from sss_ref.validation.cause.hypothesis import ENOUGH, MUTANT, NUMBER, STAGE, Hypothesis, any_of
+from sss_ref.validation.cause.hypothesis import (
+    ENOUGH,
+    INPUT,
+    MUTANT,
+    NUMBER,
+    SOURCE,
+    STAGE,
+    Charge,
+    Hypothesis,
+    any_of,
+)
 from sss_ref.validation.cause.misreadings import misread
 from sss_ref.validation.cause.mutants import Mutant, mutants
 from sss_ref.validation.cause.other_numbers import lengthened, other_numbers
@@ -22,7 +32,7 @@ from sss_ref.validation.cause.redrawn import other_matrices
 from sss_ref.validation.cause.sample import Fit, Sample
 from sss_ref.validation.clock import Limit
 
-Tried = Iterator[tuple[str, Fit]]
+Tried = Iterator[tuple[Charge, Fit]]
 
 
 def of_stages(sample: Sample, puzzle: Puzzle) -> Iterator[Hypothesis]:
@@ -37,7 +47,7 @@ def of_stages(sample: Sample, puzzle: Puzzle) -> Iterator[Hypothesis]:
         (STAGE, _other_stages(sample, puzzle.others)),
     )
     for rank, tried in puzzle.limit.within("kinds of other inputs and stages", kinds):
-        yield from (Hypothesis(text, *fit, rank) for text, fit in tried)
+        yield from (charge.fitting(fit, rank) for charge, fit in tried)
 
 
 def other_uniforms(sample: Sample, case: Case) -> Tried:
@@ -47,11 +57,12 @@ def other_uniforms(sample: Sample, case: Case) -> Tried:
         name = sample.stage.reads[own]
         if kind in (mat3, mat4) and name in uniforms:
             for text, matrix in other_matrices(name, uniforms):
-                yield text, sample.fit(sample.with_inputs({own: kind(matrix)}))
+                yield Charge(text, INPUT, (name,)), sample.fit(sample.with_inputs({own: kind(matrix)}))
         elif name in uniforms and kind is vec3:
             base = Name.of(name).base
             for other in (other for other in uniforms if other != name and Name.of(other).base == base):
-                yield f"{name} is {other}", sample.fit(sample.with_inputs({own: kind(*uniforms[other])}))
+                charge = Charge(f"{name} is {other}", INPUT, (name,))
+                yield charge, sample.fit(sample.with_inputs({own: kind(*uniforms[other])}))
             yield from lengthened(sample, own, name)
 
 
@@ -66,7 +77,8 @@ def other_buffers(sample: Sample, case: Case) -> Tried:
         if changed:
             given: dict[str, Any] = {own: Texture(there_are[other]) for own, other in changed.items()}
             names = " and ".join(f"{other} for {textures[own]}" for own, other in changed.items())
-            yield f"it reads {names}", sample.fit(sample.with_inputs(given))
+            charge = Charge(f"it reads {names}", INPUT, tuple(textures[own] for own in changed))
+            yield charge, sample.fit(sample.with_inputs(given))
 
 
 def _other_values(sample: Sample, puzzle: Puzzle) -> Tried:
@@ -78,13 +90,14 @@ def _other_values(sample: Sample, puzzle: Puzzle) -> Tried:
         name = sample.stage.reads[own]
         for other in (each for each in kinds if name in kinds and each != name and kinds[each] == kinds[name]):
             value = buffer_value(kind, there_are[other], *sample.at)
-            yield f"it reads {other} for {name}", sample.fit(sample.with_inputs({own: value}))
+            charge = Charge(f"it reads {other} for {name}", SOURCE, (name,))
+            yield charge, sample.fit(sample.with_inputs({own: value}))
 
 
 def _misreadings(sample: Sample) -> Tried:
     """The ways in which such a stage is often misread."""
-    for text, value in misread(_own(sample), sample.own_name, sample.given):
-        yield text, sample.fit(stacked(value))
+    for charge, value in misread(_own(sample), sample.own_name, sample.given):
+        yield charge, sample.fit(stacked(value))
 
 
 def _other_stages(sample: Sample, others: Mapping[str, Stage]) -> Tried:
@@ -92,7 +105,7 @@ def _other_stages(sample: Sample, others: Mapping[str, Stage]) -> Tried:
     there = set(sample.stage.parameters)
     for name, stage in others.items():
         if name != _own(sample).name and sample.own_name in stage.outputs and set(stage.parameters) <= there:
-            yield f"it computes {name}", sample.fit(sample.with_inputs({}, stage))
+            yield Charge(f"it computes {name}", SOURCE), sample.fit(sample.with_inputs({}, stage))
 
 
 def _kernels(sample: Sample) -> Tried:
@@ -114,7 +127,8 @@ def _kernels(sample: Sample) -> Tried:
             turned[f"the kernel is {name}"] = {"tap_offset": table[:, :2], "tap_weight": table[:, 2:]}
         for text, changed in turned.items():
             arrays: dict[str, Any] = {name: Array(np.ascontiguousarray(data)) for name, data in changed.items()}
-            yield text, sample.fit(sample.with_inputs(arrays))
+            names = tuple(sample.stage.reads[name] for name in arrays)
+            yield Charge(text, INPUT, names), sample.fit(sample.with_inputs(arrays))
 
 
 def mutated(sample: Sample, limit: Limit) -> Iterator[Hypothesis]:
@@ -131,7 +145,7 @@ def mutated(sample: Sample, limit: Limit) -> Iterator[Hypothesis]:
         whole = _values_of(group[0], sample)
         if whole is not None:
             text = any_of([mutant.description for mutant in group])
-            yield Hypothesis(text, *sample.fit(whole), MUTANT)
+            yield Charge(text, SOURCE).fitting(sample.fit(whole), MUTANT)
 
 
 def _values_of(mutant: Mutant, sample: Sample) -> np.ndarray | None:

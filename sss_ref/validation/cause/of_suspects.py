@@ -6,7 +6,7 @@ import numpy as np
 
 from sss_ref.language import Stage
 from sss_ref.validation.cause.chain import Chain
-from sss_ref.validation.cause.hypothesis import ENOUGH, MUTANT, NUMBER, STAGE, Hypothesis, any_of
+from sss_ref.validation.cause.hypothesis import ENOUGH, MUTANT, NUMBER, SOURCE, STAGE, Charge, Hypothesis, any_of
 from sss_ref.validation.cause.mistaken import stages_instead, stages_misread, stages_mutated
 from sss_ref.validation.cause.of_stages import Tried, other_buffers, other_uniforms
 from sss_ref.validation.cause.other_numbers import other_numbers
@@ -14,7 +14,7 @@ from sss_ref.validation.cause.puzzle import Puzzle
 from sss_ref.validation.cause.sample import Sample
 from sss_ref.validation.clock import Limit
 
-Mistakes = Callable[[Stage], Iterator[tuple[str, Stage]]]
+Mistakes = Callable[[Stage], Iterator[tuple[Charge, Stage]]]
 
 
 def of_suspects(row: Sample, puzzle: Puzzle) -> Iterator[Hypothesis]:
@@ -27,35 +27,35 @@ def of_suspects(row: Sample, puzzle: Puzzle) -> Iterator[Hypothesis]:
         (STAGE, _before(row, lambda stage: stages_instead(stage, puzzle.others))),
     )
     for rank, tried in puzzle.limit.within("kinds of mistakes in stages before", kinds):
-        yield from (Hypothesis(text, *fit, rank) for text, fit in tried)
+        yield from (charge.fitting(fit, rank) for charge, fit in tried)
 
 
 def mutated_suspects(row: Sample, limit: Limit) -> Iterator[Hypothesis]:
     """Mistakes in the source of the stages before the last; those that compute the same are one explanation."""
     few, alike = row.thinned(), dict[bytes, tuple[Chain, list[str]]]()
-    for text, chain in limit.within("mistakes in the source of stages before", _chains(row, stages_mutated)):
+    for charge, chain in limit.within("mistakes in the source of stages before", _chains(row, stages_mutated)):
         values = _carried(few, chain)
         if values is not None and min(few.fit(values)) >= ENOUGH:
-            alike.setdefault(values.tobytes(), (chain, []))[1].append(text)
+            alike.setdefault(values.tobytes(), (chain, []))[1].append(charge.text)
     for chain, texts in alike.values():
         whole = _carried(row, chain)
         if whole is not None:
-            yield Hypothesis(any_of(texts), *row.fit(whole), MUTANT)
+            yield Charge(any_of(texts), SOURCE).fitting(row.fit(whole), MUTANT)
 
 
 def _before(row: Sample, mistakes: Mistakes) -> Tried:
     """Mistakes in the stages of a chain before its last."""
-    for text, chain in _chains(row, mistakes):
+    for charge, chain in _chains(row, mistakes):
         values = _carried(row, chain)
         if values is not None:
-            yield text, row.fit(values)
+            yield charge, row.fit(values)
 
 
-def _chains(row: Sample, mistakes: Mistakes) -> Iterator[tuple[str, Chain]]:
+def _chains(row: Sample, mistakes: Mistakes) -> Iterator[tuple[Charge, Chain]]:
     assert isinstance(row.stage, Chain)
     for number, stage in enumerate(row.stage.before):
-        for text, wrong in mistakes(stage):
-            yield text, row.stage.with_stage(number, wrong)
+        for charge, wrong in mistakes(stage):
+            yield charge, row.stage.with_stage(number, wrong)
 
 
 def _carried(sample: Sample, chain: Chain) -> np.ndarray | None:

@@ -7,18 +7,19 @@ import numpy as np
 from sss_ref.dump.srgb import srgb_decoded, srgb_encoded
 from sss_ref.validation.accept.rebased import RASTERIZER, Check
 from sss_ref.validation.cause.formats import formats
+from sss_ref.validation.cause.hypothesis import INPUT, SETTING, Charge
 from sss_ref.validation.verdict.outcomes import distance
 
 
-def changes_on_the_way(check: Check) -> Iterator[tuple[str, np.ndarray, np.ndarray]]:
+def changes_on_the_way(check: Check) -> Iterator[tuple[Charge, np.ndarray, np.ndarray]]:
     """Every such mishap, where it explains what was got, bool (H, W), and where that can be told."""
     flipped = check.where & check.where[::-1]
-    yield "its rows are upside down", within(check, check.got[::-1], check.expected), flipped
+    yield Charge("its rows are upside down", SETTING), within(check, check.got[::-1], check.expected), flipped
     if check.expected.dtype == np.float32:
         changed = _other_depths if check.stage == RASTERIZER else _changed
-        for text, expected in changed(check.expected):
-            yield text, within(check, check.got, expected), check.where
-        yield from ((text, holds, check.where) for text, holds in formats(check))
+        for charge, expected in changed(check.expected):
+            yield charge, within(check, check.got, expected), check.where
+        yield from ((Charge(text, SETTING), holds, check.where) for text, holds in formats(check))
 
 
 def within(check: Check, got: np.ndarray, expected: np.ndarray) -> np.ndarray:
@@ -27,15 +28,25 @@ def within(check: Check, got: np.ndarray, expected: np.ndarray) -> np.ndarray:
     return np.logical_and.reduce(near, axis=-1)
 
 
-def _other_depths(expected: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
-    """A depth of the other convention of clip space, and one that falls."""
-    yield "its z was made for the other convention: from 0 to w, where -w to w is taken", expected * 0.5 + 0.5
-    yield "its z was made from -w to w, where the other convention is taken, 0 to w", expected * 2 - 1
-    yield "it is reversed, 1 near and 0 far: choose such a profile", 1 - expected
+def _other_depths(expected: np.ndarray) -> Iterator[tuple[Charge, np.ndarray]]:
+    """A depth of the other convention of clip space, and one that falls.
+
+    Taken is from -w to w, as the matrices of a scene are made: a z from 0 to w is another matrix's, while one that is
+    right and taken from 0 to w is drawn in another state.
+    """
+    made = "its z was made for the other convention: from 0 to w, where -w to w is taken"
+    yield Charge(made, INPUT), expected * 0.5 + 0.5
+    taken = "its z was made from -w to w, where the other convention is taken, 0 to w"
+    yield Charge(taken, SETTING), expected * 2 - 1
+    yield Charge("it is reversed, 1 near and 0 far: choose such a profile", SETTING), 1 - expected
 
 
-def _changed(expected: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
+def _changed(expected: np.ndarray) -> Iterator[tuple[Charge, np.ndarray]]:
     """A float buffer after each mishap."""
+    yield from ((Charge(text, SETTING), changed) for text, changed in _stored_otherwise(expected))
+
+
+def _stored_otherwise(expected: np.ndarray) -> Iterator[tuple[str, np.ndarray]]:
     unit = np.clip(expected, 0, 1)
     yield "it was cut off at 0 and 1", unit
     yield "it is sRGB-encoded", srgb_encoded(expected)

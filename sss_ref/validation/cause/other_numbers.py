@@ -8,7 +8,7 @@ import numpy as np
 
 from sss_ref.language.names import Name
 from sss_ref.language.types import Array, Texture, components, mat3, mat4
-from sss_ref.validation.cause.hypothesis import ENOUGH, FITTED, NUMBER, Hypothesis
+from sss_ref.validation.cause.hypothesis import ENOUGH, FITTED, INPUT, NUMBER, Charge, Hypothesis
 from sss_ref.validation.cause.sample import Fit, Sample
 from sss_ref.validation.clock import Limit
 
@@ -43,8 +43,9 @@ def other_numbers(sample: Sample, limit: Limit) -> Iterator[Hypothesis]:
             told = _first_that_fits(sample, few, own, (each for each in kind if each != parts))
             if told is not None:
                 found, fit = told
-                text = f"{sample.stage.reads[own]} is {_listed(found)} instead of {_listed(parts)}"
-                yield Hypothesis(text, *fit, rank)
+                name = sample.stage.reads[own]
+                text = f"{name} is {_listed(found)} instead of {_listed(parts)}"
+                yield Charge(text, INPUT, (name,)).fitting(fit, rank)
                 break
 
 
@@ -114,7 +115,7 @@ def _apart(sample: Sample, numbers: np.ndarray, compute: Callable[[Sample, np.nd
     return np.nan_to_num(apart, nan=1e30, posinf=1e30).reshape(len(numbers), -1).mean(axis=1)
 
 
-def lengthened(sample: Sample, own: str, name: str) -> Iterator[tuple[str, Fit]]:
+def lengthened(sample: Sample, own: str, name: str) -> Iterator[tuple[Charge, Fit]]:
     """A uniform vector a little longer or shorter."""
     few, right = sample.thinned(), sample.given[own]
 
@@ -123,7 +124,8 @@ def lengthened(sample: Sample, own: str, name: str) -> Iterator[tuple[str, Fit]]
 
     factor = _fitted(misfits, np.float32(1))
     if factor > 0:
-        yield f"{name} is {factor:.6g} times as long", sample.fit(sample.with_inputs({own: right * np.float32(factor)}))
+        charge = Charge(f"{name} is {factor:.6g} times as long", INPUT, (name,))
+        yield charge, sample.fit(sample.with_inputs({own: right * np.float32(factor)}))
 
 
 def _fitted(misfits: Callable[[np.ndarray], np.ndarray], value: np.float32) -> float:

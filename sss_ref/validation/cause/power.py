@@ -141,7 +141,7 @@ def _as_misread(trial: Trial) -> Iterator[tuple[str, dict[str, Any]]]:
     given = dict(zip(stage.parameters, trial.run.inputs, strict=True))
     for own, name in stage.writes.items():
         if name in trial.expected:
-            yield from ((text, {name: value}) for text, value in misread(stage, own, given))
+            yield from ((charge.text, {name: value}) for charge, value in misread(stage, own, given))
 
 
 def _some(all_mutants: list[Mutant]) -> list[Mutant]:

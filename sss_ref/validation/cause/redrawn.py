@@ -21,6 +21,7 @@ from sss_ref.rendering.result import Result
 from sss_ref.scene.scene import Scene
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.rebased import Check, checks_of
+from sss_ref.validation.cause.hypothesis import INPUT, NUMBER, SETTING, STATE, Charge
 
 Move = Callable[[Primitives, int], Primitives]  # of pieces, and the step of a pixel
 Matrix = np.ndarray
@@ -88,11 +89,12 @@ class Redrawing:
         return shade(scene, self.this_pass, fragments, there, [self.buffer], machine)[self.buffer]
 
 
-def redrawings(todo: Redrawing) -> Iterator[tuple[str, Callable[[], np.ndarray]]]:
-    """What may be wrong with the draw in words, and the buffer then."""
-    yield from ((text, partial(todo.draw, changed)) for text, changed in _matrices(todo))
-    for text, move in _moves():
-        yield text, partial(todo.draw, move=move)
+def redrawings(todo: Redrawing) -> Iterator[tuple[Charge, int, Callable[[], np.ndarray]]]:
+    """What may be wrong with the draw, how simple an explanation that is, and the buffer then."""
+    for text, changed in _matrices(todo):
+        yield Charge(text, INPUT, tuple(changed)), NUMBER, partial(todo.draw, changed)
+    for rank, text, move in _moves():
+        yield Charge(text, SETTING), rank, partial(todo.draw, move=move)
 
 
 def _matrices(todo: Redrawing) -> Iterator[tuple[str, Mapping[str, Any]]]:
@@ -145,17 +147,17 @@ def _turn(degrees: float) -> Matrix:
     return np.array([[cosine, 0, sine, 0], [0, 1, 0, 0], [-sine, 0, cosine, 0], [0, 0, 0, 1.0]])
 
 
-def _moves() -> Iterator[tuple[str, Move]]:
+def _moves() -> Iterator[tuple[int, str, Move]]:
     """Culling, viewports of another size, and pictures that lie elsewhere."""
-    yield "front faces, counter-clockwise in the window, are culled", partial(_culled, -1)
-    yield "back faces, clockwise in the window, are culled", partial(_culled, 1)
-    yield "the depth test keeps the farthest", lambda pieces, step: pieces._replace(depth=1 - pieces.depth)
+    yield STATE, "front faces, counter-clockwise in the window, are culled", partial(_culled, -1)
+    yield STATE, "back faces, clockwise in the window, are culled", partial(_culled, 1)
+    yield STATE, "the depth test keeps the farthest", lambda pieces, step: pieces._replace(depth=1 - pieces.depth)
     for scale in SCALES:
-        yield f"its viewport is {scale:g} times as large as its target", partial(_scaled, scale)
+        yield NUMBER, f"its viewport is {scale:g} times as large as its target", partial(_scaled, scale)
     for x in SHIFTS:
         for y in SHIFTS:
             if (x, y) != (0.0, 0.0):
-                yield f"{lies(x, y)}: a viewport or a jitter", partial(_shifted, x, y)
+                yield STATE, f"{lies(x, y)}: a viewport or a jitter", partial(_shifted, x, y)
 
 
 def lies(x: float, y: float) -> str:

@@ -8,6 +8,7 @@ import numpy as np
 from sss_ref.language import vec2, vec3, vec4
 from sss_ref.language.pipeline import CLIP_POSITION
 from sss_ref.language.stage import Stage
+from sss_ref.validation.cause.hypothesis import SOURCE, Charge
 from sss_ref.validation.cause.mistaken import computing, stages_mutated
 
 Given = Mapping[str, Any]  # parameter of the stage -> value
@@ -63,11 +64,12 @@ MISREAD: tuple[tuple[str, str, Callable[[Any, Given], Any]], ...] = (  # in word
 )
 
 
-def vertex_stages(right: Stage) -> Iterator[tuple[str, Stage]]:
+def vertex_stages(right: Stage) -> Iterator[tuple[Charge, Stage]]:
     """A vertex stage as it is often misread, then with one place of its source changed, in words."""
     for text, output, change in MISREAD:
         if output in right.outputs:
-            yield f"{right.name}: {text}", computing(right, _misread(right, output, change))
+            charge = Charge(f"{right.name}: {text}", SOURCE)
+            yield charge, computing(right, _misread(right, output, change))
     yield from stages_mutated(right)
 
 

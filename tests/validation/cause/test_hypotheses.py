@@ -12,7 +12,7 @@ from sss_ref import with_stage
 from sss_ref.passes import shadow_map
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
-from sss_ref.validation.cause.hypothesis import Hypothesis
+from sss_ref.validation.cause.hypothesis import SOURCE, Hypothesis
 from sss_ref.validation.cause.mutants import mutants
 from sss_ref.validation.scope import Scope
 from sss_ref.validation.stage_by_stage import validate
@@ -114,5 +114,6 @@ def test_no_value_of_another_unit_is_tried_in_the_place_of_one():
 
 
 def test_simple_explanations_come_before_mutants_and_whole_ones_before_others():
-    given = [Hypothesis("a", 1.0, 1.0, 3), Hypothesis("b", 0.99, 1.0, 0), Hypothesis("c", 1.0, 1.0, 1)]
+    fits = {"a": (1.0, 1.0, 3), "b": (0.99, 1.0, 0), "c": (1.0, 1.0, 1)}
+    given = [Hypothesis(text, *fit, SOURCE) for text, fit in fits.items()]
     assert [each.text for each in sorted(given, key=lambda each: each.order)] == ["c", "a", "b"]

@@ -50,5 +50,5 @@ def test_a_right_buffer_lies_where_it_should(oracle, buffer):
 
 def test_the_size_of_a_picture_is_measured(oracle):
     dumped = Planted("zoom", vertex(LIGHT, zoomed(1.013), "shadow_map"), "").drawn(oracle.scene)
-    texts = [each.text for each in lying_off(draw_of(oracle, "light_depth", dumped), Limit(60))]
+    texts = [each.charge.text for each in lying_off(draw_of(oracle, "light_depth", dumped), Limit(60))]
     assert f"{LIGHT} is of another field of view: tan(fov_y/2) is 1.013 times as large" in texts
