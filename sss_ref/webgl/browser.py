@@ -46,25 +46,36 @@ def draw(
     options: for its command line; those given here draw on the processor.
     Raises ShaderError where there is no Chromium, or where its WebGL does not draw the page.
     """
+    return printed_buffers(page(scene, keep), options, seconds)
+
+
+def printed_buffers(text: str, options: Sequence[str] = SWIFTSHADER, seconds: float = 600) -> dict[str, np.ndarray]:
+    """The buffers that a page draws. Raises ShaderError as `draw` does."""
     as_root = AS_ROOT if hasattr(os, "geteuid") and os.geteuid() == 0 else ()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "page.html"
-        path.write_text(page(scene, keep), encoding="utf-8")
-        text = _printed(
+        path.write_text(text, encoding="utf-8")
+        shown = _printed(
             f"{path.as_uri()}#inline", [*QUIET, *options, *as_root, f"--user-data-dir={folder}/profile"], seconds
         )
-    problem, links = ERROR.search(text), LINK.findall(text)
+    problem, links = ERROR.search(shown), LINK.findall(shown)
     if problem or not links:
         reason = unescape(problem[1]) if problem else "a page without buffers"
         raise ShaderError(f"webgl: expected every pass to be drawn, got {reason}")
     return {name: np.load(io.BytesIO(base64.b64decode(data))) for name, data in links}
 
 
-def _printed(address: str, options: Sequence[str], seconds: float) -> str:
-    """The page as it is after its script has run."""
+def found_browser() -> str:
+    """The path of Chromium. Raises ShaderError where there is none."""
     browser = next((found for name in BROWSERS if (found := shutil.which(name))), None)
     if browser is None:
         raise ShaderError(f"webgl: expected one of {', '.join(BROWSERS)}, got none; install Chromium")
+    return browser
+
+
+def _printed(address: str, options: Sequence[str], seconds: float) -> str:
+    """The page as it is after its script has run."""
+    browser = found_browser()
     command = [browser, *options, "--dump-dom", address]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=seconds)

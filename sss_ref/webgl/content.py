@@ -1,7 +1,7 @@
 """The page of a scene: its mesh, uniforms, textures and shaders, with the script that draws them, in one file."""
 
 import json
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from html import escape
 from importlib.resources import files
 from typing import Any
@@ -29,8 +29,13 @@ def page(scene: Scene, keep: str | Iterable[str] = "all") -> str:
     keep: which buffers to offer, as in `sss_ref.render`; only what they need is drawn.
     Raises SceneError for the name of no buffer.
     """
-    folder, title = files("sss_ref.webgl"), f"sss_ref: {scene.mesh.name}"
-    text = json.dumps(drawing(scene, keep)).replace("<", "\\u003c")
+    return page_of(f"sss_ref: {scene.mesh.name}", drawing(scene, keep))
+
+
+def page_of(title: str, content: Mapping[str, Any]) -> str:
+    """A page that draws what it holds. content: as `drawing` gives it."""
+    folder = files("sss_ref.webgl")
+    text = json.dumps(content).replace("<", "\\u003c")
     template, *scripts = (
         (folder / name).read_text(encoding="utf-8") for name in ("page.html", "drawing.js", "draw.js")
     )
