@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from sss_ref.validation.accept.rebased import RASTERIZER
+from sss_ref.validation.cause.cropped import cropped
 from sss_ref.validation.cause.hypothesis import MUTANT, SETTING, SOURCE, STATE, Charge, Hypothesis, any_of, fitting
 from sss_ref.validation.cause.lying_off import lying_off
 from sss_ref.validation.cause.mishaps import SAME_DEPTH, mishaps
@@ -22,6 +23,11 @@ LIKELY = 0.3  # of the wrong pixels and of the right ones that a draw explains b
 def of_draws(puzzle: Puzzle) -> Iterator[Hypothesis]:
     """What the draw of the mesh may have done otherwise; what was measured makes other offsets needless."""
     check, drawn, limit = puzzle.check, puzzle.drawn, puzzle.limit
+    seen = cropped(puzzle.case, check, limit)
+    measured = [charge.fitting(puzzle.fit(holds), STATE) for charge, holds in seen]
+    yield from measured
+    if fitting(measured):
+        return
     measured = [*_lying_off(puzzle)]
     yield from measured
     if fitting(measured):

@@ -19,7 +19,18 @@ def changes_on_the_way(check: Check) -> Iterator[tuple[Charge, np.ndarray, np.nd
         changed = _other_depths if check.stage == RASTERIZER else _changed
         for charge, expected in changed(check.expected):
             yield charge, within(check, check.got, expected), check.where
+        yield from ((charge, within(check, check.got, masked), check.where) for charge, masked in _masked(check))
         yield from ((Charge(text, SETTING), holds, check.where) for text, holds in formats(check))
+
+
+def _masked(check: Check) -> Iterator[tuple[Charge, np.ndarray]]:
+    """A channel that holds the same all over, as one does that a colour mask leaves out."""
+    for channel in range(check.got.shape[2] if check.got.ndim == 3 else 0):
+        held = check.got[..., channel]
+        if (held == held[0, 0]).all():
+            masked = check.expected.copy()
+            masked[..., channel] = held
+            yield Charge(f"its channel {channel} is not written, and is {held[0, 0]:g} all over", SETTING), masked
 
 
 def within(check: Check, got: np.ndarray, expected: np.ndarray) -> np.ndarray:

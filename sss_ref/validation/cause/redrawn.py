@@ -27,7 +27,14 @@ Move = Callable[[Primitives, int], Primitives]  # of pieces, and the step of a p
 Matrix = np.ndarray
 ZOOMS = (0.5, 0.8, 0.9, 0.95, 0.98, 0.99, 0.995, 1.005, 1.01, 1.02, 1.05, 1.1, 1.25, 2.0)
 TURNS = (-5.0, -2.0, -1.0, -0.5, -0.25, -0.1, 0.1, 0.25, 0.5, 1.0, 2.0, 5.0)  # degrees
-SCALES = (0.5, 2.0)
+SCALES = {  # of a viewport, in x and y
+    "0.5": (0.5, 0.5),
+    "2": (2.0, 2.0),
+    "0.5 in x": (0.5, 1.0),
+    "0.5 in y": (1.0, 0.5),
+    "2 in x": (2.0, 1.0),
+    "2 in y": (1.0, 2.0),
+}
 SHIFTS = (-1.0, -0.5, 0.0, 0.5, 1.0)  # pixels
 SIDES = {"x": ("left", "right"), "y": ("down", "up")}
 
@@ -152,8 +159,8 @@ def _moves() -> Iterator[tuple[int, str, Move]]:
     yield STATE, "front faces, counter-clockwise in the window, are culled", partial(_culled, -1)
     yield STATE, "back faces, clockwise in the window, are culled", partial(_culled, 1)
     yield STATE, "the depth test keeps the farthest", lambda pieces, step: pieces._replace(depth=1 - pieces.depth)
-    for scale in SCALES:
-        yield NUMBER, f"its viewport is {scale:g} times as large as its target", partial(_scaled, scale)
+    for told, scale in SCALES.items():
+        yield NUMBER, f"its viewport is {told} times as large as its target", partial(_scaled, np.array(scale))
     for x in SHIFTS:
         for y in SHIFTS:
             if (x, y) != (0.0, 0.0):
@@ -175,7 +182,7 @@ def _shifted(x: float, y: float, pieces: Primitives, step: int) -> Primitives:
     return pieces._replace(snapped=np.ascontiguousarray(pieces.snapped + move))
 
 
-def _scaled(scale: float, pieces: Primitives, step: int) -> Primitives:
+def _scaled(scale: np.ndarray, pieces: Primitives, step: int) -> Primitives:
     half = step // 2
     return pieces._replace(snapped=np.rint((pieces.snapped + half) * scale - half).astype(np.int32))
 
