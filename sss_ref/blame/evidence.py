@@ -1,4 +1,4 @@
-"""How a wrong pass comes out on stacks that draw our own shaders right."""
+"""How the shaders of a wrong pass come out on stacks, beside our own."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -19,10 +19,16 @@ OURS: Mapping[str, Files] = {}
 
 @dataclass(frozen=True)
 class OtherDrawing:
-    """How a pass came out on a stack. wrong: the first of its stages that is out of reach, or ""."""
+    """How the shaders of a pass came out on a stack.
+
+    wrong: the first of its stages that is out of reach, or "". ours: whether our own shaders come out wrong there too.
+    drew: whether it is the stack that drew what is judged.
+    """
 
     stack: str
     wrong: str
+    ours: bool = False
+    drew: bool = False
 
     def __str__(self) -> str:
         """As part of a sentence."""
@@ -42,10 +48,15 @@ class Bench:
     profile: Profile | str
 
     def others(self, stacks: Iterable[Stack], shaders: Mapping[str, Files]) -> list[OtherDrawing]:
-        """How these shaders come out on all stacks that take them, and that draw our own right."""
+        """How these shaders come out on all stacks that take them and draw our own right, and on the one that drew."""
         language = language_of(shaders)
-        sound = [each for each in stacks if each.language == language and not self.wrong_on(each, OURS)]
-        return [OtherDrawing(stack.name, self.wrong_on(stack, shaders)) for stack in sound]
+        tried = (self._tried(each, shaders) for each in stacks if each.language == language)
+        return [each for each in tried if each.drew or not each.ours]
+
+    def _tried(self, stack: Stack, shaders: Mapping[str, Files]) -> OtherDrawing:
+        drew = bool(self.drawing.device) and str(self.drawing.device).lower() in stack.name.lower()
+        ours = bool(self.wrong_on(stack, OURS))
+        return OtherDrawing(stack.name, self.wrong_on(stack, shaders), ours, drew)
 
     def wrong_on(self, stack: Stack, shaders: Mapping[str, Files]) -> str:
         """The first stage of the pass that these shaders get wrong on a stack, or ""."""
@@ -53,7 +64,8 @@ class Bench:
         read = {each: self._read(each) for each in self.this_pass.needs if each in scene.method.outputs}
         own = {name: shaders[name]} if name in shaders else OURS
         written = stack.draw(scene, self.this_pass, read, own)
-        report = validate(self.oracle, {**read, **written}, profile=self.profile, explain=VERDICTS_ALONE)
+        profile = stack.profile or self.profile
+        report = validate(self.oracle, {**read, **written}, profile=profile, explain=VERDICTS_ALONE)
         return next((each.stage for each in report.verdicts if each.failed and each.buffer in written), "")
 
     def _read(self, name: str) -> np.ndarray:

@@ -62,4 +62,4 @@ def _suspicion(scene: "Scene", shaders: Path, dump: Path | None, profile: str) -
         drawing = Drawing.read(read_dump(dump, scene))
     else:
         drawing = Drawing(draw(scene, files, keep=("all", REGISTERS)), device=device_name())
-    return Suspicion(scene, drawing, files, stacks_here(language_of(files)), profile, here=dump is None)
+    return Suspicion(scene, drawing, files, stacks_here(language_of(files)), profile, ours=dump is None)

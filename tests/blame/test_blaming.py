@@ -6,16 +6,15 @@ import numpy as np
 import pytest
 from opengl import needs_mesa
 
-from sss_ref.blame.blaming import COMPILER, FRACTION, INPUT, NOBODY, SETTING, SHADER, UNKNOWN, Suspicion
-from sss_ref.blame.stacks import GLSL, WGSL, Stack, language_of, stacks_here
+from sss_ref.blame.blaming import COMPILER, INPUT, NOBODY, SETTING, SHADER, UNKNOWN, Suspicion
+from sss_ref.blame.stacks import ESSL, GLSL, WGSL, Stack, language_of, stacks_here
 from sss_ref.cli import main
 from sss_ref.errors import ShaderError
-from sss_ref.gl.drawing import draw
+from sss_ref.gl.drawing import draw, draw_pass
 from sss_ref.gl.shaders import shader_folder
 from sss_ref.interpret.shader import array_lengths, shader_files
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.accept.dumped import Drawing
-from sss_ref.validation.cause.redrawn import lies
 
 SIDE = 32
 SIZES = {f"{table}.{side}": SIDE for table in ("camera", "shadow_map") for side in ("width", "height")}
@@ -50,9 +49,9 @@ def files(folder, scene):
     return shader_folder(folder, scene.settings)
 
 
-def blamed(scene, buffers, shaders, stacks=None):
+def blamed(scene, buffers, shaders, stacks=None, device=None):
     found = stacks_here(GLSL) if stacks is None else stacks
-    return Suspicion(scene, Drawing(buffers), shaders, found, seconds=2.0).blame()
+    return Suspicion(scene, Drawing(buffers, device=device), shaders, found, seconds=30.0).blame()
 
 
 def test_a_right_picture_is_nobodys_fault(scene, folder):
@@ -72,6 +71,22 @@ def test_a_right_source_that_comes_out_wrong_is_the_compilers_fault(scene, folde
     said = blamed(scene, draw(scene, files(wrong_folder, scene)), files(folder, scene))
     assert said.whose == COMPILER
     assert "right on llvmpipe" in str(said)
+
+
+def test_what_drew_it_and_draws_our_own_wrong_as_well_is_the_compilers_fault(scene, folder, wrong_folder):
+    wrong = files(wrong_folder, scene)
+    device = Stack("A broken GPU", GLSL, lambda scene, one, buffers, _: draw_pass(scene, one, buffers, wrong))
+    buffers, both = draw(scene, wrong), [*stacks_here(GLSL), device]
+    said = blamed(scene, buffers, files(folder, scene), both, "a broken gpu")
+    assert said.whose == COMPILER and "as well, which drew it" in str(said)
+    elsewhere = blamed(scene, buffers, files(folder, scene), both, "another")
+    assert "A broken GPU" not in str(elsewhere)
+
+
+def test_what_drew_it_and_draws_the_source_right_is_no_compiler(scene, folder, wrong_folder):
+    """The picture of a mistaken source that the user does not have: without it, something else was given."""
+    said = blamed(scene, draw(scene, files(wrong_folder, scene)), files(folder, scene), device="llvmpipe")
+    assert said.whose == INPUT and "draws the source right" in str(said)
 
 
 def test_a_source_that_comes_out_otherwise_on_one_of_two_stacks_is_the_compilers_fault(scene, folder, wrong_folder):
@@ -94,6 +109,13 @@ def test_a_format_and_a_clear_value_are_settings(scene, folder):
     assert blamed(scene, buffers | {"light_distance": cleared}, files(folder, scene)).whose == SETTING
 
 
+def test_a_depth_that_is_no_matrixs_is_a_setting(scene, folder):
+    buffers = draw(scene)
+    blended = np.where(buffers["triangle"] < 0, buffers["depth"], buffers["depth"] * buffers["depth"])
+    said = blamed(scene, buffers | {"depth": blended.astype(np.float32)}, files(folder, scene))
+    assert said.whose == SETTING and "the draw may be blended" in str(said)
+
+
 def test_another_number_and_another_mesh_are_inputs(scene, folder):
     other = load_scene("sphere", **SIZES, **KEYS, **{"phong.shininess": 20.0})
     said = blamed(scene, draw(other), files(folder, scene))
@@ -104,13 +126,6 @@ def test_another_number_and_another_mesh_are_inputs(scene, folder):
     assert blamed(scene, draw(elsewhere), files(folder, scene)).whose == INPUT
 
 
-@pytest.mark.parametrize(
-    ("x", "y", "of_a_matrix"), [(1, 0, False), (0.5, 0.5, False), (0.207, 0, True), (1, 0.3, True)]
-)
-def test_a_part_of_a_pixel_is_a_matrixs(x, y, of_a_matrix):
-    assert bool(FRACTION.search(lies(x, y))) is of_a_matrix
-
-
 def test_without_the_source_shader_and_compiler_are_not_told_apart(scene, wrong_folder):
     assert blamed(scene, draw(scene, files(wrong_folder, scene)), {}).whose == UNKNOWN
 
@@ -119,6 +134,8 @@ def test_the_language_is_that_of_the_files(folder, scene, tmp_path):
     assert language_of(files(folder, scene)) == GLSL
     (tmp_path / "camera.frag").write_text("@fragment fn main() {}")
     assert language_of({"camera": tmp_path / "camera.frag"}) == WGSL
+    (tmp_path / "camera.frag").write_text("#version 300 es")
+    assert language_of({"camera": tmp_path / "camera.frag"}) == ESSL
     (tmp_path / "camera.frag").write_bytes(b"\xff")
     with pytest.raises(ShaderError, match=r"camera\.frag: expected shader source in UTF-8, got a byte"):
         language_of({"camera": tmp_path / "camera.frag"})
