@@ -74,14 +74,14 @@ class Planted:
         }
 
 
-def scene_of(name, side=64):
-    """One of SCENES, so many pixels wide and high."""
+def scene_of(name, side=64, changes=()):
+    """One of SCENES, so many pixels wide and high, with other keys changed as well."""
     shipped, given = SCENES[name]
     overrides = given(side) if callable(given) else given
     sizes = {
         f"{table}.{axis}": side for table in ("camera", "shadow_map", "irradiance_map") for axis in ("width", "height")
     }
-    return load_scene(shipped, **(sizes | overrides))
+    return load_scene(shipped, **(sizes | overrides | dict(changes)))
 
 
 def oracle_of(scene):
