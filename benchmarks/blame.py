@@ -40,7 +40,7 @@ def main() -> None:
     """Print what was said of each, and how often it was right."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--size", type=int, default=32)
-    parser.add_argument("--mutants", type=int, default=20, help="of the source, of each scene")
+    parser.add_argument("--mutants", type=int, default=14, help="of the source, of each scene")
     parser.add_argument("--edits", type=int, default=8, help="of SPIR-V, of each scene")
     parser.add_argument("--right", type=int, default=50, help="pictures that are nobody's fault")
     parser.add_argument("--only", default="", help="faults whose lines have this regular expression in them")

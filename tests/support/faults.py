@@ -4,13 +4,14 @@
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from functools import cache
-from itertools import islice
+from itertools import chain, islice, takewhile
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from types import MappingProxyType
 
 import gl_states
 import numpy as np
@@ -74,12 +75,13 @@ def scene_at(name: str, side: int) -> Scene:
 
 
 @cache
-def right(name: str, side: int) -> dict[str, np.ndarray]:
+def right(name: str, side: int) -> "Buffers":
     """What this machine's OpenGL draws of one, registers too."""
     return drawn(scene_at(name, side))
 
 
 Texts = dict[str, str]  # file -> shader, as `shader_files` gives them
+Buffers = Mapping[str, np.ndarray]
 Painter = Callable[..., dict[str, np.ndarray]]  # as `draw_pass`
 
 
@@ -101,14 +103,22 @@ def painting(texts: Texts) -> Painter:
     return paint
 
 
-def drawn(scene: Scene, paint: Painter | None = None) -> dict[str, np.ndarray]:
-    """The buffers of a scene, pass by pass, by a painter or with our shaders."""
-    buffers: dict[str, np.ndarray] = {}
-    paint = paint or painting(texts_of(scene))
+def drawn(scene: Scene, paint: Painter | None = None, there: Buffers = MappingProxyType({})) -> Buffers:
+    """The buffers of a scene, pass by pass, by a painter or with our shaders.
+
+    there: the buffers of the passes that are drawn already.
+    """
+    buffers, paint = dict(there), paint or painting(texts_of(scene))
     for each in scene.method.passes:
-        if not each.on_demand:
+        if not each.on_demand and not set(each.outputs) <= there.keys():
             buffers |= paint(scene, each, {name: buffers[name] for name in each.needs if name in buffers})
     return buffers
+
+
+def before(name: str, side: int, where: str) -> Buffers:
+    """What a right drawing of a scene holds before a pass."""
+    values = [each.values for each in takewhile(lambda each: each.name != where, scene_at(name, side).method.passes)]
+    return {each: right(name, side)[each] for each in chain(*values) if each in right(name, side)}
 
 
 def device_with(texts: Texts) -> Stack:
@@ -116,7 +126,7 @@ def device_with(texts: Texts) -> Stack:
     return Stack(DEVICE, GLSL, painting(texts))
 
 
-def same_bits(buffers: dict[str, np.ndarray], others: dict[str, np.ndarray], kind: str) -> bool:
+def same_bits(buffers: Buffers, others: Buffers, kind: str) -> bool:
     """Whether nothing differs, which is counted."""
     same = all(np.array_equal(buffer, others[name], equal_nan=True) for name, buffer in buffers.items())
     SAME_BITS[kind] += same
@@ -140,7 +150,9 @@ def groups(side: int, mutants_of_each: int, edits_of_each: int, right_count: int
 def mutated(name: str, side: int) -> Iterator[Case]:
     """Mutants of stages, some of all: in turn the user's own, and what a compiler makes of a right one."""
     scene = scene_at(name, side)
-    stages = {stage.name: unbound(stage) for one in scene.method.passes for stage in one.stages if not one.on_demand}
+    drawn_always = [each for each in scene.method.passes if not each.on_demand]
+    stages = {stage.name: unbound(stage) for each in drawn_always for stage in each.stages}
+    first = {stage.name: each.name for each in reversed(drawn_always) for stage in each.stages}
     found = [(stage, mutant) for stage in stages.values() for mutant in mutants(stage)]
     np.random.default_rng(5).shuffle(found)
     number = 0
@@ -148,7 +160,7 @@ def mutated(name: str, side: int) -> Iterator[Case]:
         own = replace(scene, own_stages={stage.name: replace(stage, body=mutant.body)})
         if own.forms != scene.forms:
             continue
-        buffers = drawn(own)
+        buffers = drawn(own, there=before(name, side, first[stage.name]))
         if same_bits(buffers, right(name, side), "mutants"):
             continue
         told = f"{name}: {stage.name}: {mutant.description}"
@@ -172,9 +184,19 @@ def miscompiled(name: str, side: int) -> Iterator[Case]:
             if text is None:  # which is not valid
                 continue
             device = device_with(texts | {file: text})
-            buffers = drawn(scene, device.draw)
+            where = next(each for each, files in _files(texts, scene).items() if file in files)
+            buffers = drawn(scene, device.draw, before(name, side, where))
             if not same_bits(buffers, right(name, side), "edits of SPIR-V"):
                 yield Case(f"{name}: {file}: {edit.told}", COMPILER, scene, Drawing(buffers), scene, device)
+
+
+def _files(texts: Texts, scene: Scene) -> dict[str, list[str]]:
+    """Pass -> the names of its shaders."""
+    with TemporaryDirectory() as folder:
+        for name in texts:
+            (Path(folder) / name).touch()
+        found = shader_folder(Path(folder), scene.settings)
+        return {name: [path.name for path in paths] for name, paths in found.items()}
 
 
 def _binaries(texts: Texts, folder: Path) -> dict[str, bytes]:
@@ -190,7 +212,7 @@ def states_left(name: str, where: str, side: int) -> Iterator[Case]:
     """Draws of a mesh with a state of OpenGL that was left on in a pass."""
     scene = scene_at(name, side)
     for told, state in gl_states.STATES.items():
-        buffers = drawn(scene, _left_in(where, state, painting(texts_of(scene))))
+        buffers = drawn(scene, _left_in(where, state, painting(texts_of(scene))), before(name, side, where))
         if not same_bits(buffers, right(name, side), "states"):
             yield Case(f"{name}: {where}: {told}", SETTING, scene, Drawing(buffers), scene)
 
