@@ -53,7 +53,6 @@ def main() -> None:
     seconds = 0.0
     with ProcessPoolExecutor(options.jobs, max_tasks_per_child=1, mp_context=get_context("spawn")) as pool:
         for found in pool.map(tried, range(len(all_groups(options))), repeat(options)):
-            print("\n".join(found.lines), flush=True)
             counts, same, seconds = counts + found.counts, same + found.same, seconds + found.seconds
     summarise(counts, same)
     print(f"{seconds:.0f} s of processor time")
@@ -61,9 +60,8 @@ def main() -> None:
 
 @dataclass(frozen=True)
 class Found:
-    """What was said of a group: lines, (right class, class said) -> how often, and what was no fault."""
+    """What was said of a group: (right class, class said) -> how often, and what was no fault."""
 
-    lines: list[str]
     counts: Counter[tuple[str, str]]
     same: Counter[str]
     seconds: float
@@ -75,14 +73,14 @@ def all_groups(options: argparse.Namespace) -> list[Iterator[Case]]:
 
 
 def tried(number: int, options: argparse.Namespace) -> Found:
-    """One group."""
-    lines, counts = list[str](), Counter[tuple[str, str]]()
+    """One group, a line for each case as soon as it is told."""
+    counts: Counter[tuple[str, str]] = Counter()
     for case in all_groups(options)[number]:
         if re.search(options.only, f"{case.whose}: {case.name}"):
             said = blamed(case, options.seconds, options.elsewhere)
             counts[case.whose, said.whose] += 1
-            lines.append(line(case, said))
-    return Found(lines, counts, SAME_BITS, time.process_time())
+            print(line(case, said), flush=True)
+    return Found(counts, SAME_BITS, time.process_time())
 
 
 def line(case: Case, said: Blame) -> str:
