@@ -85,7 +85,7 @@ def written_before(folder: Path) -> Mapping[str, str]:
     if path.is_file():
         try:
             return {str(name): str(each) for name, each in json.loads(path.read_text(encoding="utf-8")).items()}
-        except (ValueError, AttributeError):
+        except (ValueError, AttributeError, RecursionError):
             raise CourseError(told(str(path), "the course's record", "another text", "delete the file")) from None
     if folder.exists() and not (folder.is_dir() and not any(folder.iterdir())):
         came = "one with other files" if folder.is_dir() else "a file"

@@ -107,9 +107,12 @@ def read_radiance(path: Path, of: Tracing) -> Radiance:
     return Radiance(of, samples, sums)
 
 
-def _are_like(found: NDArray[Any], form: NDArray[Any]) -> bool:
-    """Whether sums have type and shape of such ones, and are numbers of at least 0, which no sum of light is below."""
-    is_formed = (found.dtype, found.shape) == (form.dtype, form.shape)
+def _are_like(found: object, form: NDArray[Any]) -> bool:
+    """Whether sums have type and shape of such ones, and are numbers of at least 0, which no sum of light is below.
+
+    found: bytes where NumPy met something else than an array in the archive.
+    """
+    is_formed = isinstance(found, np.ndarray) and (found.dtype, found.shape) == (form.dtype, form.shape)
     return is_formed and bool((np.isfinite(found) & (found >= 0)).all())
 
 

@@ -93,8 +93,9 @@ def test_a_folder_with_something_else_is_refused(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["thesis.txt"]
 
 
-def test_a_broken_record_is_told(folder):
-    (folder / own_folder.RECORD).write_text("{")
+@pytest.mark.parametrize("text", ["{", "[]", "[" * 100_000], ids=len)
+def test_a_broken_record_is_told(folder, text):
+    (folder / own_folder.RECORD).write_text(text)
     with pytest.raises(CourseError, match="expected the course's record, got another text; delete the file"):
         write_course(folder)
 

@@ -62,10 +62,10 @@ def of_batch(path):
 
 
 def of_item(path):
-    """The record of an item."""
+    """The record of an item, whose settings are checked where they are used."""
     from sss_ref.batch.item_folder import read_record
 
-    return list(facts("item", read_record(path.parent)))
+    return [("item", repr(read_record(path.parent)), True)]
 
 
 def of_witness(path):

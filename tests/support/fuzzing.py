@@ -20,7 +20,7 @@ from harmless_changes import harmless
 from valid_files import valid_files
 
 SECONDS = 5  # of processor time for one file
-WAIT = 120  # seconds until a reader that waits for ever is given up
+WAIT = 300  # seconds until a reader that waits for ever is given up
 MEMORY = 2 * 2**30  # bytes that reading may take
 HARD_MEMORY = 16 * 2**30  # bytes at which the process gives up
 HARMLESS_SHARE = 0.15

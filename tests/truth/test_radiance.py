@@ -84,7 +84,13 @@ def test_other_sums_are_refused(sphere, tmp_path):
     "change",
     [
         *({"samples": -1}, {"samples": 1.5}, {"total": np.zeros((2, 2, 3))}, {"square": np.zeros(3, np.float32)}),
-        *({"total": math.nan}, {"square": -1.0}, {"counted": -1}, {"format": "sss_ref radiance 0"}),
+        *(
+            {"total": math.nan},
+            {"total": math.inf},
+            {"square": -1.0},
+            {"counted": -1},
+            {"format": "sss_ref radiance 0"},
+        ),
     ],
     ids=str,
 )
@@ -114,6 +120,10 @@ def test_an_array_and_a_header_without_end_are_no_sums(sphere, tmp_path):
     with zipfile.ZipFile(path, "w") as archive:
         for name, content in names.items():
             archive.writestr(name, content.replace(b", }", b",  "))
+    check_is_no_sum(path, sphere)
+    with zipfile.ZipFile(path, "w") as archive:
+        for name, content in (names | {"total.npy": b"no array"}).items():
+            archive.writestr(name, content)
     check_is_no_sum(path, sphere)
 
 
