@@ -112,8 +112,9 @@ def _are_like(found: object, form: NDArray[Any]) -> bool:
 
     found: bytes where NumPy met something else than an array in the archive.
     """
-    is_formed = isinstance(found, np.ndarray) and (found.dtype, found.shape) == (form.dtype, form.shape)
-    return is_formed and bool((np.isfinite(found) & (found >= 0)).all())
+    if not isinstance(found, np.ndarray) or (found.dtype, found.shape) != (form.dtype, form.shape):
+        return False
+    return bool((np.isfinite(found) & (found >= 0)).all())
 
 
 def _gather(of: Tracing, samples: tuple[int, int], sums: Sums, row: int) -> None:
