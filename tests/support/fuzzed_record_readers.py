@@ -65,7 +65,7 @@ def of_item(path):
     """The record of an item, whose settings are checked where they are used."""
     from sss_ref.batch.item_folder import read_record
 
-    return [("item", repr(read_record(path.parent)), True)]
+    return [(name, content, True) for name, content, _ in facts("item", read_record(path.parent))]
 
 
 def of_witness(path):
