@@ -176,7 +176,8 @@ def miscompiled(name: str, side: int) -> Iterator[Case]:
     scene, rng = scene_at(name, side), np.random.default_rng(7)
     with TemporaryDirectory() as folder:
         texts = texts_of(scene)
-        binaries = _binaries(texts, Path(folder))
+        of_passes = {file: each for each, files in _files(texts, scene).items() for file in files}  # none on demand
+        binaries = _binaries({file: texts[file] for file in of_passes}, Path(folder))
         found = [(file, edit) for file, binary in binaries.items() for edit in spirv.edits(binary)]
         for index in rng.permutation(len(found)):
             file, edit = found[index]
@@ -184,8 +185,7 @@ def miscompiled(name: str, side: int) -> Iterator[Case]:
             if text is None:  # which is not valid
                 continue
             device = device_with(texts | {file: text})
-            where = next(each for each, files in _files(texts, scene).items() if file in files)
-            buffers = drawn(scene, device.draw, before(name, side, where))
+            buffers = drawn(scene, device.draw, before(name, side, of_passes[file]))
             if not same_bits(buffers, right(name, side), "edits of SPIR-V"):
                 yield Case(f"{name}: {file}: {edit.told}", COMPILER, scene, Drawing(buffers), scene, device)
 
