@@ -40,6 +40,7 @@ def with_materials(folder):
 
 
 def unwrapped(folder):
+    pytest.importorskip("xatlas", reason="install .[unwrap]")
     positions, triangles, _ = sphere(8)
     data = around(written(folder / "bare.obj", positions, triangles), 32, method="texture_space")
     return data | {"mesh": data["mesh"] | {"unwrap": True}}

@@ -21,6 +21,8 @@ def test_the_shipped_head_is_left_as_it_is():
 
 @pytest.mark.parametrize("head", ["molar_enamel", "own"])
 def test_another_head_gets_its_bounds(head, tmp_path):
+    if head == "own":
+        pytest.importorskip("xatlas")  # it has no UVs
     path = written(tmp_path / "own.obj", cube()[0] * 150 + 40, cube()[1]) if head == "own" else head
     own, model = bounds(small_scenes.load("figure3_with", path)), bounds(small_scenes.load("figure3_with", "bust"))
     assert np.isclose(own.radius, model.radius)

@@ -69,6 +69,7 @@ def test_a_wrong_dump_fails_and_is_reported(dump, oracle, tmp_path, capsys):
 
 
 def test_the_device_and_the_metrics_are_told(dump, oracle, tmp_path, capsys):
+    pytest.importorskip("flip_evaluator", reason="install .[metrics]")
     tables = "".join(f'[buffers.{name}]\nfile = "{name}.npy"\n' for name in oracle.buffers)
     (dump / "mapping.toml").write_text(f'device = "Imaginary <GPU>"\n{tables}')
     arguments = ["validate", "sphere", str(dump / "mapping.toml"), *SMALL, "--metrics", "--profile", "gl"]
