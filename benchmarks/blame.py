@@ -26,7 +26,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "support"))
 
-from faults import SAME_BITS, Case, groups  # beside the tests that use them
+from stack_faults import SAME_BITS, Case, groups  # beside the tests that use them
 
 from sss_ref.blame.blaming import COMPILER, INPUT, NOBODY, SETTING, SHADER, Blame, Suspicion
 from sss_ref.blame.stacks import GLSL, stacks_here

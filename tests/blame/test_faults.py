@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 import spirv
-from faults import device_with, drawn, texts_of
 from opengl import needs_mesa
+from stack_faults import device_with, drawn, texts_of
 
 from sss_ref.blame.blaming import COMPILER, Suspicion
 from sss_ref.blame.stacks import GLSL, stacks_here

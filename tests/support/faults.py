@@ -1,281 +1,265 @@
-"""Faults of every class, each a picture with what it was drawn from, by whom and with which source.
+"""Shaders with one fault each, as texts of our GLSL and what stands there instead."""
 
-`benchmarks/blame.py` tries them all; SAME_BITS counts those that draw the bits of a right picture, and so are none.
-"""
+from edited import BORDERED, CLAMPED, SIZE, Fault
 
-from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import nullcontext
-from dataclasses import dataclass, replace
-from functools import cache
-from itertools import chain, islice, takewhile
-from pathlib import Path
-from tempfile import TemporaryDirectory
-from types import MappingProxyType
+FETCHED = "float stored = texelFetch(light_distance, nearest_texel(textureSize(light_distance, 0), uv), 0).x;"
+FILTERED = """vec2 at = uv * vec2(textureSize(light_distance, 0)) - 0.5;
+    ivec2 corner = ivec2(floor(at));
+    vec2 t = at - floor(at);
+    float lower_left = texelFetch(light_distance, corner, 0).x;
+    float lower_right = texelFetch(light_distance, corner + ivec2(1, 0), 0).x;
+    float upper_left = texelFetch(light_distance, corner + ivec2(0, 1), 0).x;
+    float upper_right = texelFetch(light_distance, corner + ivec2(1, 1), 0).x;
+    float stored = mix(mix(lower_left, lower_right, t.x), mix(upper_left, upper_right, t.x), t.y);"""
+PLACED = "gl_Position = vertex.clip_position;"
+HALF = {"#version 400 core": "#version 420 core"}  # the first with packHalf2x16
 
-import gl_states
-import numpy as np
-import spirv
-from planted import PLANTED, scene_of
-from planted_newer import NEWER
-from right_devices import drawn_by_chance
-
-from sss_ref.blame.blaming import COMPILER, INPUT, NOBODY, SETTING, SHADER
-from sss_ref.blame.stacks import GLSL, Stack
-from sss_ref.gl.drawing import draw_pass
-from sss_ref.gl.shaders import shader_folder
-from sss_ref.interpret.intervals.profile import Profile
-from sss_ref.interpret.shader import array_lengths, shader_files
-from sss_ref.scene.scene import Scene
-from sss_ref.validation.accept.dumped import Drawing
-from sss_ref.validation.cause.mutants import mutants
-from sss_ref.validation.witness.situation import unbound
-
-SCENES = ("bust", "texture space", "two lights", "wax")
-SAME_BITS: Counter[str] = Counter()
-STATES_LEFT = (("bust", "camera"), ("two lights", "shadow_map_2"), ("texture space", "irradiance_map"))
-PARTS = 4  # of the tables
-DEVICE = "the device that drew it"
-CHANGES = {  # scene -> keys of another scene file, each of which some engine might have set instead
-    "bust": (
-        {"phong.shininess": 20.0},
-        {"camera.fov_y": 32.0},
-        {"camera.azimuth": 131.0},
-        {"lights.0.intensity": 1.3},
-        {"lights.0.position": [2.5, 1.5, 1.5]},
-        {"phong.ambient": 0.11},
-        {"mesh.scale": [1.0, 1.0, 1.0]},
-        {"mesh.rotate_degrees": [0.0, 21.0, 0.0]},
+DRAW = {  # what the rasterizer shows
+    "matrix of the camera": Fault(
+        "slabs", "shadow_map/rasterizer", {"light_clip_from_model": "camera_clip_from_model"}, "shadow_map."
     ),
-    "wax": ({"camera.distance": 4.1}, {"phong.specular": 0.3}, {"lights.0.color": [1.0, 0.9, 0.8]}),
-    "texture space": ({"phong.diffuse": 0.8}, {"camera.azimuth": 10.0}),
+    "matrix of the light": Fault(
+        "slabs", "camera/rasterizer", {"camera_clip_from_model": "light_clip_from_model"}, "camera."
+    ),
+    "half a pixel to the side": Fault(
+        "bust", "camera/rasterizer", {PLACED: f"{PLACED} gl_Position.xy += gl_Position.w / {SIZE}.0;"}, "camera."
+    ),
+    "half a texel to the side": Fault(
+        "bust",
+        "shadow_map/rasterizer",
+        {PLACED: f"{PLACED} gl_Position.xy += gl_Position.w / {SIZE}.0;"},
+        "shadow_map.",
+    ),
+    "rows from the top": Fault(
+        "slabs", "camera/rasterizer", {PLACED: f"{PLACED} gl_Position.y = -gl_Position.y;"}, "camera."
+    ),
+    "front faces culled": Fault(
+        "bust", "camera/rasterizer", {"int triangle =": "if (gl_FrontFacing) discard;\n    int triangle ="}
+    ),
+    "front faces culled for the light": Fault(
+        "bust",
+        "shadow_map/rasterizer",
+        {"int light_triangle =": "if (gl_FrontFacing) discard;\n    int light_triangle ="},
+    ),
+    "back faces culled": Fault(
+        "bust cut open", "camera/rasterizer", {"int triangle =": "if (!gl_FrontFacing) discard;\n    int triangle ="}
+    ),
 }
 
+DRAW |= {
+    "depth test the wrong way round": Fault(
+        "slabs", "camera/rasterizer", {"int triangle =": "gl_FragDepth = 1.0 - gl_FragCoord.z;\n    int triangle ="}
+    ),
+    "depth test the wrong way round for the light": Fault(
+        "slabs",
+        "shadow_map/rasterizer",
+        {"int light_triangle =": "gl_FragDepth = 1.0 - gl_FragCoord.z;\n    int light_triangle ="},
+    ),
+}
 
-@dataclass(frozen=True)
-class Case:
-    """A picture of a scene, and whose fault it is.
+SURFACE = {
+    "normal as it is": Fault("slabs", "camera/surface", {"normalize_(fragment_normal)": "fragment_normal"}),
+    "normal of the model": Fault("turned", "camera/surface", {"transform(normal_from_model, normal)": "normal"}),
+    "position of the model": Fault("turned", "shadow_map/distance_to_light", {"world.xyz": "position"}, "shadow_map."),
+}
 
-    source: the scene whose shaders the user has. device: the stack that drew it; None for this machine's.
-    """
+SHADOW_MAP = {
+    "depth for distance": Fault(
+        "slabs",
+        "shadow_map/distance_to_light",
+        {"out_light_distance = light_distance": "out_light_distance = light_depth"},
+    ),
+    "distance in half floats": Fault(
+        "bust",
+        "shadow_map/distance_to_light",
+        HALF | {"sqrt(dot_(v, v))": "unpackHalf2x16(packHalf2x16(vec2(sqrt(dot_(v, v))))).x"},
+        "shadow_map.",
+    ),
+    "no half texel": Fault("slabs", "camera/shadow_lookup_bilinear", {"map_size.x) - 0.5": "map_size.x)"}),
+    "half a texel too many": Fault(
+        "bust", "camera/shadow_lookup_nearest", {"uv.x * float(map_size.x)": "uv.x * float(map_size.x) + 0.5"}
+    ),
+    "v upside down": Fault(
+        "slabs", "camera/shadow_lookup_bilinear", {"return inside ? uv": "return inside ? vec2(uv.x, 1.0 - uv.y)"}
+    ),
+    "linear for nearest": Fault("bust", "camera/shadow_lookup_nearest", {FETCHED: FILTERED}),
+    "nearest for linear": Fault("slabs", "camera/shadow_lookup_bilinear", {"fractional_part(at)": "vec2(0.0, 0.0)"}),
+    "not divided by w": Fault(
+        "bust", "camera/shadow_lookup_nearest", {"vec2(clip.x / clip.w, clip.y / clip.w)": "clip.xy"}
+    ),
+    "looked up with the camera's matrix": Fault(
+        "slabs", "camera/shadow_lookup_bilinear", {"light_clip_from_world": "camera_clip_from_model"}, "camera_"
+    ),
+    "thickness from a depth": Fault(
+        "slabs", "camera/back_point", {"length_(position_world - entry_point)": "(position_world - entry_point).z"}
+    ),
+    "no normalize": Fault(
+        "slabs",
+        "camera/back_point",
+        {"normalize_(position_world - light_position)": "(position_world - light_position)"},
+    ),
+    "facing away": Fault("slabs", "camera/directly_lit_slope", {"facing > 0.0": "facing < 0.0"}),
+    "bias of the wrong sign": Fault("bust", "camera/directly_lit_slope", {"behind <= bias": "behind <= -bias"}),
+}
 
-    name: str
-    whose: str
-    scene: Scene
-    drawing: Drawing
-    source: Scene
-    device: Stack | None = None
-    profile: Profile | str = "vulkan"
+LIGHT = {
+    "light without colour": Fault(
+        "slabs", "camera/light_constant", {"light_color * light_intensity": "vec3(light_intensity)"}
+    ),
+    "reflected the wrong way": Fault("slabs", "camera/phong_shading", {"reflect_(-to_light": "reflect_(to_light"}),
+    "shininess one too high": Fault(
+        "bust",
+        "camera/phong_shading",
+        {"pow(max_(mirrored, 0.0), shininess)": "pow(max_(mirrored, 0.0), shininess + 1.0)"},
+    ),
+    "no ambient light": Fault("bust", "camera/phong_shading", {"phong = (ambient / light_count + ": "phong = ("}),
+    "exponent 0.601": Fault("slabs", "camera/translucency_ratio", {"d_min), exponent)": "d_min), exponent + 0.001)"}),
+    "multiply for divide": Fault("slabs", "camera/translucency_ratio", {"pow(x, y) / pow(": "pow(x, y) * pow("}),
+    "thickness not held above d_min": Fault(
+        "bust", "camera/translucency_ratio_throughout", {"max_(thickness, d_min)": "thickness"}
+    ),
+    "translucency in half floats": Fault(
+        "slabs",
+        "camera/translucency_ratio",
+        HALF | {"min_(term, TRANSLUCENCY_MAX)": "unpackHalf2x16(packHalf2x16(vec2(min_(term, TRANSLUCENCY_MAX)))).x"},
+    ),
+    "multiply for add": Fault(
+        "bust", "camera/lit_transmit_wrapped", {"lit = reflected + albedo": "lit = reflected * albedo"}
+    ),
+    "bytes between two passes": Fault(
+        "bust", "camera/lit_transmit_wrapped", {"out_lit = lit;": "out_lit = floor(lit * 255.0 + 0.5) / 255.0;"}
+    ),
+}
 
+BLUR = {
+    "taps swapped": Fault(
+        "slabs", "blur/scatter", {"tap_offset[tap] * pixel_scale": "tap_offset[tap].yx * pixel_scale"}
+    ),
+    "taps mirrored": Fault(
+        "bust", "blur/scatter_inside", {"tap_offset[tap] * pixel_scale": "-tap_offset[tap] * pixel_scale"}
+    ),
+    "weights of the channels swapped": Fault(
+        "bust",
+        "blur/scatter_inside",
+        {"offset[tap] * pixel_scale) * tap_weight[tap]": "offset[tap] * pixel_scale) * tap_weight[tap].zyx"},
+    ),
+    "weights in reverse": Fault("bust", "blur/scatter_inside", {"tap_weight[tap]": "tap_weight[tap_count - 1 - tap]"}),
+    "taps half a texel off": Fault("bust", "blur/scatter_inside", {"* pixel_scale": "* pixel_scale + 0.5"}),
+    "mask ignored": Fault("bust", "blur/scatter_inside", {"texel_clamped_bool(coverage, at) ? 1.0 : 0.0": "1.0"}),
+    "kernel in pixels": Fault("bust in mm", "camera/offset_length", {"min_(mm_per_offset / ": "min_(1.0 / "}),
+    "taps mirrored, in mm": Fault(
+        "bust in mm",
+        "blur/scatter_inside_surface",
+        {"tap_offset[tap] * pixel_scale": "-tap_offset[tap] * pixel_scale"},
+    ),
+    "taps from other surfaces": Fault("bust in mm", "blur/scatter_inside_surface", {"<= 1.0": "<= 1e30"}),
+    "border for clamp": Fault("wax from near", "blur/scatter", {CLAMPED: BORDERED}, "blur"),
+    "sRGB write": Fault(
+        "slabs", "composite/over_background", {"out_image = image;": "out_image = pow(image, vec3(0.4545));"}
+    ),
+}
 
-@cache
-def scene_at(name: str, side: int) -> Scene:
-    """A scene of the tables, once."""
-    return scene_of(name, side)
+PUBLISHED = {  # the shadow map is read at the vertices, and targets hold bytes
+    "no half texel at the vertices": Fault("wax", "camera/entry_interpolated", {"map_size.x) - 0.5": "map_size.x)"}),
+    "other exponent": Fault(
+        "wax", "camera/translucency_unclamped", {"thickness, exponent)": "thickness, exponent + 0.001)"}
+    ),
+    "bytes cut off": Fault("wax", "camera/stored_rgb8", {"* 255.0 + 0.5": "* 255.0"}, "camera_"),
+    "multiply for an addition": Fault("wax", "camera/lit_add", {"lit = phong + albedo": "lit = phong * albedo"}),
+    "squared distance": Fault("wax", "shadow_map/distance_to_light", {"sqrt(dot_(v, v))": "dot_(v, v)"}, "shadow_map"),
+    "a byte of steps of 1/256": Fault(
+        "wax", "shadow_map/stored_r8", {"+ 0.5) / 255.0": "+ 0.5) / 256.0"}, "shadow_map"
+    ),
+}
 
+SCREEN_SPACE = DRAW | SURFACE | SHADOW_MAP | LIGHT | BLUR | PUBLISHED
 
-@cache
-def right(name: str, side: int) -> "Buffers":
-    """What this machine's OpenGL draws of one, registers too."""
-    return drawn(scene_at(name, side))
+T, PRINTED = "texture space", "texture space as published"
+V_FLIPPED = {
+    "fragment_uv = vertex.fragment_uv;": "fragment_uv = vec2(vertex.fragment_uv.x, 1.0 - vertex.fragment_uv.y);"
+}
 
-
-Texts = dict[str, str]  # file -> shader, as `shader_files` gives them
-Buffers = Mapping[str, np.ndarray]
-Painter = Callable[..., dict[str, np.ndarray]]  # as `draw_pass`
-
-
-def texts_of(scene: Scene) -> Texts:
-    """Our shaders of a scene, which write registers too."""
-    return shader_files(scene.method, array_lengths(scene.uniforms), registers=True)
-
-
-def painting(texts: Texts) -> Painter:
-    """Draws with these shaders, whatever it is told to draw with."""
-
-    def paint(scene, this_pass, buffers, shaders=()):
-        with TemporaryDirectory() as folder:
-            for name, text in texts.items():
-                (Path(folder) / name).write_text(text)
-            files = shader_folder(Path(folder), scene.settings)
-            return draw_pass(scene, this_pass, buffers, {this_pass.name: files[this_pass.name]})
-
-    return paint
-
-
-def drawn(scene: Scene, paint: Painter | None = None, there: Buffers = MappingProxyType({})) -> Buffers:
-    """The buffers of a scene, pass by pass, by a painter or with our shaders.
-
-    there: the buffers of the passes that are drawn already.
-    """
-    buffers, paint = dict(there), paint or painting(texts_of(scene))
-    for each in scene.method.passes:
-        if not each.on_demand and not set(each.outputs) <= there.keys():
-            buffers |= paint(scene, each, {name: buffers[name] for name in each.needs if name in buffers})
-    return buffers
-
-
-def before(name: str, side: int, where: str) -> Buffers:
-    """What a right drawing of a scene holds before a pass."""
-    values = [each.values for each in takewhile(lambda each: each.name != where, scene_at(name, side).method.passes)]
-    return {each: right(name, side)[each] for each in chain(*values) if each in right(name, side)}
-
-
-def device_with(texts: Texts) -> Stack:
-    """A device whose compiler makes these of any shaders."""
-    return Stack(DEVICE, GLSL, painting(texts))
-
-
-def same_bits(buffers: Buffers, others: Buffers, kind: str) -> bool:
-    """Whether nothing differs, which is counted."""
-    same = all(np.array_equal(buffer, others[name], equal_nan=True) for name, buffer in buffers.items())
-    SAME_BITS[kind] += same
-    return same
-
-
-def groups(side: int, mutants_of_each: int, edits_of_each: int, right_count: int) -> list[Iterator[Case]]:
-    """All of them, and the right ones, in groups that may be drawn side by side."""
-    edited = SCENES if spirv.are_there() else ()
-    return [
-        *(islice(mutated(name, side), mutants_of_each) for name in SCENES),
-        *(islice(miscompiled(name, side), edits_of_each) for name in edited),
-        *(states_left(*place, side) for place in STATES_LEFT),
-        *(ported(side, part) for part in range(PARTS)),
-        other_meshes(side),
-        other_scenes(side),
-        right_ones(side, right_count),
-    ]
-
-
-def mutated(name: str, side: int) -> Iterator[Case]:
-    """Mutants of stages, some of all: in turn the user's own, and what a compiler makes of a right one."""
-    scene = scene_at(name, side)
-    drawn_always = [each for each in scene.method.passes if not each.on_demand]
-    stages = {stage.name: unbound(stage) for each in drawn_always for stage in each.stages}
-    first = {stage.name: each.name for each in reversed(drawn_always) for stage in each.stages}
-    found = [(stage, mutant) for stage in stages.values() for mutant in mutants(stage)]
-    np.random.default_rng(5).shuffle(found)
-    number = 0
-    for stage, mutant in found:
-        own = replace(scene, own_stages={stage.name: replace(stage, body=mutant.body)})
-        if own.forms != scene.forms:
-            continue
-        buffers = drawn(own, there=before(name, side, first[stage.name]))
-        if same_bits(buffers, right(name, side), "mutants"):
-            continue
-        told = f"{name}: {stage.name}: {mutant.description}"
-        if number % 2:
-            yield Case(told, SHADER, scene, Drawing(buffers), own)
-        else:
-            yield Case(f"{told}, by a compiler", COMPILER, scene, Drawing(buffers), scene, device_with(texts_of(own)))
-        number += 1
-
-
-def miscompiled(name: str, side: int) -> Iterator[Case]:
-    """What an edit of the SPIR-V of one shader draws."""
-    scene, rng = scene_at(name, side), np.random.default_rng(7)
-    with TemporaryDirectory() as folder:
-        texts = texts_of(scene)
-        of_passes = {file: each for each, files in _files(texts, scene).items() for file in files}  # none on demand
-        binaries = _binaries({file: texts[file] for file in of_passes}, Path(folder))
-        found = [(file, edit) for file, binary in binaries.items() for edit in spirv.edits(binary)]
-        for index in rng.permutation(len(found)):
-            file, edit = found[index]
-            text = spirv.glsl(edit.applied(binaries[file]))
-            if text is None:  # which is not valid
-                continue
-            device = device_with(texts | {file: text})
-            buffers = drawn(scene, device.draw, before(name, side, of_passes[file]))
-            if not same_bits(buffers, right(name, side), "edits of SPIR-V"):
-                yield Case(f"{name}: {file}: {edit.told}", COMPILER, scene, Drawing(buffers), scene, device)
-
-
-def _files(texts: Texts, scene: Scene) -> dict[str, list[str]]:
-    """Pass -> the names of its shaders."""
-    with TemporaryDirectory() as folder:
-        for name in texts:
-            (Path(folder) / name).touch()
-        found = shader_folder(Path(folder), scene.settings)
-        return {name: [path.name for path in paths] for name, paths in found.items()}
-
-
-def _binaries(texts: Texts, folder: Path) -> dict[str, bytes]:
-    """The SPIR-V of each shader."""
-    found = {}
-    for file, text in texts.items():
-        (folder / file).write_text(text)
-        found[file] = spirv.compiled(folder / file, folder)
-    return found
-
-
-def states_left(name: str, where: str, side: int) -> Iterator[Case]:
-    """Draws of a mesh with a state of OpenGL that was left on in a pass."""
-    scene = scene_at(name, side)
-    for told, state in gl_states.STATES.items():
-        buffers = drawn(scene, _left_in(where, state, painting(texts_of(scene))), before(name, side, where))
-        if not same_bits(buffers, right(name, side), "states"):
-            yield Case(f"{name}: {where}: {told}", SETTING, scene, Drawing(buffers), scene)
-
-
-def _left_in(where: str, state: gl_states.State, paint: Painter) -> Painter:
-    """Draws one pass in a state."""
-
-    def in_state(scene, this_pass, buffers):
-        with gl_states.left(state) if this_pass.name == where else nullcontext():
-            return paint(scene, this_pass, buffers)
-
-    return in_state
-
-
-def ported(side: int, part: int) -> Iterator[Case]:
-    """A part of the mistakes of the tables that are no stage's."""
-    for each in (*PLANTED, *NEWER)[part::PARTS]:
-        mistake = each.mistake
-        if not mistake.stages and mistake.draws is None:
-            scene = scene_at(each.scene, side)
-            given = bool(mistake.uniforms or mistake.reads)
-            yield Case(each.name, INPUT if given else SETTING, scene, Drawing(each.drawn(scene)), scene)
-
-
-def other_meshes(side: int) -> Iterator[Case]:
-    """Meshes with some vertices or normals elsewhere, with fewer triangles and with other UVs."""
-    scene = scene_at("bust", side)
-    mesh, rng = scene.mesh, np.random.default_rng(3)
-    changed = {}
-    for turn in range(6):
-        chosen = rng.random(len(mesh.positions)) < 0.3
-        positions, normals = mesh.positions.copy(), mesh.normals.copy()
-        if turn % 2:
-            normals[chosen] = -normals[chosen]
-        else:
-            positions[chosen] *= np.float32(1.02 + 0.01 * turn)
-        changed[f"mesh {turn}"] = {"positions": positions, "normals": normals}
-    changed["every tenth triangle is missing"] = {"triangles": mesh.triangles[np.arange(len(mesh.triangles)) % 10 > 0]}
-    changed["positions in 10 bits"] = {"positions": np.rint(mesh.positions * 256).astype(np.float32) / 256}
-    changed["normals of half the length"] = {"normals": mesh.normals * np.float32(0.5)}
-    changed["mirrored"] = {"positions": mesh.positions * np.array([-1, 1, 1], np.float32)}
-    for name, data in changed.items():
-        buffers = drawn(replace(scene, mesh=replace(mesh, **data)))
-        if not same_bits(buffers, right("bust", side), "meshes"):
-            yield Case(name, INPUT, scene, Drawing(buffers), scene)
-
-
-def other_scenes(side: int) -> Iterator[Case]:
-    """What the scene file says otherwise, drawn all through."""
-    for name, keys in CHANGES.items():
-        scene = scene_at(name, side)
-        for each in keys:
-            buffers = drawn(scene_of(name, side, each))
-            if not same_bits(buffers, right(name, side), "scene files"):
-                yield Case(f"{name}: {each}", INPUT, scene, Drawing(buffers), scene)
-
-
-def right_ones(side: int, count: int) -> Iterator[Case]:
-    """Nobody's fault: what right devices of many kinds draw."""
-    for seed in range(count):
-        rng = np.random.default_rng(seed)
-        scene = scene_at(("bust", "texture space", "two lights", "wax", "close")[seed % 5], side)
-        found = drawn_by_chance(scene, rng)
-        yield Case(
-            f"right: {found.told}", NOBODY, scene, Drawing(found.buffers, found.stored), scene, None, found.profile
-        )
+TEXTURE_SPACE = {
+    "layout upside down": Fault(
+        T, "irradiance_map/rasterizer", {"uv * 2.0 - 1.0": "vec2(uv.x, 1.0 - uv.y) * 2.0 - 1.0"}
+    ),
+    "layout in half of the map": Fault(T, "irradiance_map/rasterizer", {"uv * 2.0 - 1.0": "uv"}),
+    "v flipped for the light": Fault(T, "shadow_map/uv_at_light", V_FLIPPED, "shadow_map."),
+    "v flipped for the camera": Fault(T, "camera/surface", V_FLIPPED, "camera."),
+    "exponent 0.751": Fault(
+        T, "camera/translucency_ratio_throughout", {"d_min), exponent)": "d_min), exponent + 0.001)"}
+    ),
+    "normal as it is": Fault(
+        T, "irradiance_map/surface", {"normalize_(fragment_normal)": "fragment_normal * 0.5"}, "irradiance_map"
+    ),
+    "not divided by w": Fault(
+        T,
+        "irradiance_map/shadow_lookup_nearest",
+        {"vec2(clip.x / clip.w, clip.y / clip.w)": "clip.xy"},
+        "irradiance_map",
+    ),
+    "no normalize": Fault(
+        T,
+        "irradiance_map/back_point",
+        {"normalize_(position_world - light_position)": "(position_world - light_position)"},
+        "irradiance_map",
+    ),
+    "facing away": Fault(T, "irradiance_map/directly_lit_slope", {"facing > 0.0": "facing < 0.0"}, "irradiance_map"),
+    "half the light": Fault(
+        T, "irradiance_map/light_constant", {"light_color * light_intensity": "light_color * 0.5"}, "irradiance_map"
+    ),
+    "cosine squared": Fault(
+        T, "irradiance_map/irradiance_lambert", {"(directly_lit ? facing": "(directly_lit ? facing * facing"}
+    ),
+    "shadow ignored": Fault(
+        T, "irradiance_map/irradiance_lambert", {"directly_lit ? facing : shadow_valid ? 0.0 : facing": "facing"}
+    ),
+    "bytes between two passes": Fault(
+        T,
+        "irradiance_map/irradiance_lambert",
+        {"out_irradiance = irradiance;": "out_irradiance = floor(irradiance * 255.0 + 0.5) / 255.0;"},
+    ),
+    "root of a negative number": Fault(
+        T, "irradiance_map/irradiance_lambert", {"out_irradiance = irradiance;": "out_irradiance = sqrt(-irradiance);"}
+    ),
+    "gutter without the left neighbour": Fault(
+        T, "irradiance_fill/dilate", {"from_left = inside(mask, left) ? left : from_right": "from_left = from_right"}
+    ),
+    "gutter of the lengths": Fault(
+        "texture space in mm",
+        "offset_fill/dilate",
+        {"from_left = inside(mask, left) ? left : from_right": "from_left = from_right"},
+        "offset_fill",
+    ),
+    "stretch forgotten": Fault(
+        "texture space in mm", "irradiance_map/texel_length", {"ivec2(triangle % 4096": "ivec2(0 * triangle"}
+    ),
+    "taps swapped": Fault(
+        T, "irradiance_blur/scatter_inside", {"tap_offset[tap] * pixel_scale": "tap_offset[tap].yx * pixel_scale"}
+    ),
+    "mask ignored": Fault(T, "irradiance_blur/scatter_inside", {"texel_clamped_bool(coverage, at) ? 1.0 : 0.0": "1.0"}),
+    "border for clamp": Fault(T, "irradiance_blur/scatter_inside", {CLAMPED: BORDERED}, "irradiance_blur"),
+    "light_uv ignored": Fault(T, "camera/irradiance_lookup_throughout", {"shadow_valid ? entered : uv": "uv"}),
+    "no half texel": Fault(T, "camera/irradiance_added_wrapped", {"map_size.x) - 0.5": "map_size.x)"}),
+    "nearest for linear": Fault(T, "camera/irradiance_added_wrapped", {"fractional_part(at)": "vec2(0.0, 0.0)"}),
+    "own irradiance for the entered": Fault(
+        T, "camera/irradiance_added_wrapped", {"scattered_irradiance, irradiance_uv)": "scattered_irradiance, uv)"}
+    ),
+    "multiply for add": Fault(
+        T, "camera/irradiance_added_wrapped", {"irradiance_used = own + ": "irradiance_used = own * "}
+    ),
+    "no ambient light": Fault(T, "camera/image_product", {"(ambient + irradiance_used": "(irradiance_used"}),
+    "sRGB write": Fault(T, "camera/image_product", {"out_image = image;": "out_image = pow(image, vec3(0.4545));"}),
+    "no root": Fault(
+        PRINTED, "camera/image_sqrt_add", {"sqrt(max_(phong * irradiance_used,": "(max_(phong * irradiance_used,"}
+    ),
+    "root of the sum": Fault(
+        PRINTED, "camera/image_sqrt_add", {"phong * irradiance_used,": "phong + irradiance_used,"}
+    ),
+    "twice the distance": Fault(
+        PRINTED,
+        "irradiance_map/irradiance_distance",
+        {"incident_light * length_(": "incident_light * 2.0 * length_("},
+        "irradiance_map",
+    ),
+}
