@@ -8,6 +8,7 @@ from sss_ref.scene.load import load_scene
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.dumped import Drawing
 from sss_ref.validation.accept.rebased import Check, last_round
+from sss_ref.validation.accept.walk import run_stage
 from sss_ref.validation.profile_file import profile_of
 from sss_ref.validation.witness.cutting import cut_down
 from sss_ref.validation.witness.recording import recorded
@@ -35,6 +36,7 @@ def test_the_witness_of_a_stage_that_reads_much_is_small(stage):
     chosen = np.linspace(0, len(rows) - 1, PIXELS).astype(int)
     right, everywhere = result[buffer], np.ones(result[buffer].shape[:2], bool)
     check = Check(pass_name, stage, buffer, everywhere, right, right, np.zeros(right.shape))
-    found = [cut_down(check, (int(columns[k]), int(rows[k])), drawn) for k in chosen]
+    runs = [run_stage(drawn, (rows[k : k + 1], columns[k : k + 1]), buffer) for k in chosen]
+    found = [cut_down(check, (int(columns[k]), int(rows[k])), run, drawn) for k, run in zip(chosen, runs, strict=True)]
     sizes = [len(recorded(each).model_dump_json(exclude_defaults=True)) for each in found]
     assert limit // 2 < max(sizes) < limit
