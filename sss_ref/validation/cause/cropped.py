@@ -18,15 +18,26 @@ Tried = Iterator[tuple[Charge, np.ndarray]]  # and the pixels that it explains, 
 
 def cropped(case: Case, check: Check, limit: Limit) -> Tried:
     """What cuts a draw off, moves it by whole pixels or mixes it with what was there. limit: the time for a search."""
-    clear = np.asarray(case.oracle.scene.clear(check.buffer))
-    shown = np.logical_or.reduce(np.atleast_3d(check.got) != clear, axis=-1)
+    shown = _shown(case, check)
     if shown.any():
+        clear = np.asarray(case.oracle.scene.clear(check.buffer))
         yield _inside_rectangle(check, shown)
         yield from _nearer_than(case, check, shown)
         yield from _moved(check, clear, limit)
         yield from _blended(check, clear)
-    else:
-        yield Charge("nothing is drawn: a test that nothing passes, or a mask", SETTING), np.ones_like(shown)
+
+
+def undrawn(case: Case, check: Check) -> Tried:
+    """That there is nothing of a draw, wherever the buffer holds what it is cleared to and no more."""
+    if not (shown := _shown(case, check)).any():
+        yield Charge("nothing is drawn: a test that nothing passes, or a mask", SETTING), ~shown
+
+
+def _shown(case: Case, check: Check) -> np.ndarray:
+    """Bool (H, W): where the buffer holds something else than what it is cleared to."""
+    clear = np.asarray(case.oracle.scene.clear(check.buffer))
+    shown: np.ndarray = np.logical_or.reduce(np.atleast_3d(check.got) != clear, axis=-1)
+    return shown
 
 
 def _inside_rectangle(check: Check, shown: np.ndarray) -> tuple[Charge, np.ndarray]:
@@ -56,8 +67,14 @@ def _moved(check: Check, clear: np.ndarray, limit: Limit) -> Tried:
         held = int((check.got == _shifted(check.expected, up, right, clear)).sum())
         best, most = ((up, right), held) if held > most else (best, most)
     if best != (0, 0):
-        text = f"the picture lies {best[1]} pixels to the right of its place and {best[0]} above it: a viewport"
+        text = f"the picture lies {_offset(*best)}: a viewport"
         yield Charge(text, SETTING), within(check, check.got, _shifted(check.expected, *best, clear))
+
+
+def _offset(up: int, right: int) -> str:
+    """Whole pixels, in words."""
+    sides = (right, "right" if right > 0 else "left"), (up, "up" if up > 0 else "down")
+    return " and ".join(f"{abs(by)} pixel{'s' * (abs(by) > 1)} too far {side}" for by, side in sides if by)
 
 
 def _blended(check: Check, clear: np.ndarray) -> Tried:

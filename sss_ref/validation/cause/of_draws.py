@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from sss_ref.validation.accept.rebased import RASTERIZER
-from sss_ref.validation.cause.cropped import cropped
+from sss_ref.validation.cause.cropped import cropped, undrawn
 from sss_ref.validation.cause.hypothesis import MUTANT, SETTING, SOURCE, STATE, Charge, Hypothesis, any_of, fitting
 from sss_ref.validation.cause.lying_off import lying_off
 from sss_ref.validation.cause.mishaps import SAME_DEPTH, mishaps
@@ -21,17 +21,17 @@ LIKELY = 0.3  # of the wrong pixels and of the right ones that a draw explains b
 
 
 def of_draws(puzzle: Puzzle) -> Iterator[Hypothesis]:
-    """What the draw of the mesh may have done otherwise; what was measured makes other offsets needless."""
+    """What the draw of the mesh may have done otherwise: once a kind fits, those that tell less are not tried."""
+    for kind in (_lying_off, _done_otherwise, _cut_off):
+        found = [*kind(puzzle)]
+        yield from found
+        if fitting(found):
+            return
+
+
+def _done_otherwise(puzzle: Puzzle) -> Iterator[Hypothesis]:
+    """Other matrices, another state, and what may befall single triangles."""
     check, drawn, limit = puzzle.check, puzzle.drawn, puzzle.limit
-    seen = cropped(puzzle.case, check, limit)
-    measured = [charge.fitting(puzzle.fit(holds), STATE) for charge, holds in seen]
-    yield from measured
-    if fitting(measured):
-        return
-    measured = [*_lying_off(puzzle)]
-    yield from measured
-    if fitting(measured):
-        return
     for charge, rank, draw in limit.within("draws", redrawings(_redrawing(puzzle))):
         holds = within(check, check.got, draw())
         if check.buffer == drawn.this_pass.draw.depth:
@@ -40,6 +40,12 @@ def of_draws(puzzle: Puzzle) -> Iterator[Hypothesis]:
     if check.stage == RASTERIZER and drawn.visible:
         for text, same in limit.within("mishaps of the draw", mishaps(drawn.visible, check.buffer, check.got)):
             yield Charge(text, SETTING).fitting(puzzle.fit(same), STATE)
+
+
+def _cut_off(puzzle: Puzzle) -> Iterator[Hypothesis]:
+    """What a test, a rectangle or blending makes of the picture as a whole."""
+    for charge, holds in cropped(puzzle.case, puzzle.check, puzzle.limit):
+        yield charge.fitting(puzzle.fit(holds), STATE)
 
 
 def _redrawing(puzzle: Puzzle) -> Redrawing:
@@ -59,7 +65,7 @@ def _lying_off(puzzle: Puzzle) -> Iterator[Hypothesis]:
 
 
 def of_vertices(puzzle: Puzzle) -> Iterator[Hypothesis]:
-    """Mistakes in the vertex stage; those that draw the same are one explanation."""
+    """Mistakes in the vertex stage, those that draw the same as one; or, without more, that nothing is drawn."""
     check, todo, alike = puzzle.check, _redrawing(puzzle), dict[bytes, tuple[Fit, list[str]]]()
     (vertex,) = todo.this_pass.draw.vertex_stages
     for charge, stage in puzzle.limit.within("mistakes in the vertex stage", vertex_stages(vertex)):
@@ -67,3 +73,5 @@ def of_vertices(puzzle: Puzzle) -> Iterator[Hypothesis]:
         alike.setdefault(drawn.tobytes(), (puzzle.fit(within(check, check.got, drawn)), []))[1].append(charge.text)
     for fit, texts in alike.values():
         yield Charge(any_of(texts), SOURCE).fitting(fit, MUTANT)
+    for charge, holds in undrawn(puzzle.case, check):
+        yield charge.fitting(puzzle.fit(holds), MUTANT)

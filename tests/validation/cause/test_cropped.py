@@ -17,10 +17,13 @@ def oracle():
     return render(load_scene("sphere", **SIZES, method="screen_space"), "arrays", threads=1)
 
 
+def explained(oracle, changed):
+    """The explanations of a dump with some buffers changed."""
+    return validate(oracle, {**oracle.buffers, **changed}, explain=Scope(power=False, seconds=60)).finding.hypotheses
+
+
 def first(oracle, changed):
-    """The first explanation of a dump with some buffers changed."""
-    found = validate(oracle, {**oracle.buffers, **changed}, explain=Scope(power=False, seconds=60))
-    return found.finding.hypotheses[0]
+    return explained(oracle, changed)[0]
 
 
 def emptied(oracle, shown):
@@ -36,9 +39,10 @@ def test_a_scissor_is_told_with_its_rectangle(oracle):
     assert found.blames == SETTING
 
 
-def test_nothing_at_all_is_told(oracle):
-    found = first(oracle, emptied(oracle, np.zeros_like(oracle["triangle"], bool)))
-    assert found.text.startswith("nothing is drawn: a test")
+def test_nothing_at_all_is_told_beside_vertices_that_draw_nothing(oracle):
+    vertices, test = explained(oracle, emptied(oracle, np.zeros_like(oracle["triangle"], bool)))
+    assert vertices.text.startswith("mesh_vertex: clip_position is not divided by w")
+    assert test.text.startswith("nothing is drawn: a test") and test.blames == SETTING
 
 
 def test_depths_that_were_cleared_near_are_told(oracle):
@@ -52,7 +56,7 @@ def test_a_viewport_that_lies_off_by_whole_pixels_is_told(oracle):
     moved = np.full_like(oracle["triangle"], -1)
     moved[3:, :-2] = oracle["triangle"][:-3, 2:]
     found = first(oracle, {"triangle": moved})
-    assert found.text == "the picture lies -2 pixels to the right of its place and 3 above it: a viewport"
+    assert found.text == "the picture lies 2 pixels too far left and 3 pixels too far up: a viewport"
 
 
 def test_what_is_added_to_what_was_there_is_told(oracle):

@@ -115,7 +115,7 @@ def test_back_faces_are_missed_where_they_are_seen(bodies):
     oracle = bodies["cut open"]
     found = validate(oracle, Device(oracle.scene, only(lambda turn: turn > 0)).buffers_of_all())
     assert found.culprit.stage == RASTERIZER
-    assert any("clockwise in the window are culled" in line for line in found.explanations)
+    assert any("clockwise in the window are culled" in line for line in found.explanations), found.explanations
 
 
 def test_a_flipped_layout_is_found(bodies):
