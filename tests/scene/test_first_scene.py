@@ -1,15 +1,17 @@
 """The scene file that `sss-ref init` writes: it is complete, holds the mesh, and its picture is good at once."""
 
+import math
 import tomllib
 from pathlib import Path
 
 import numpy as np
 import pytest
+from bodies import body as mesh_of
 from scenes import cube, sphere, wedge, written
 
 import sss_ref
 from sss_ref.errors import SceneError
-from sss_ref.scene.first_scene import write_first_scene
+from sss_ref.scene.first_scene import first_scene, front_of, write_first_scene
 
 SMALL = {f"{table}.{side}": 48 for table in ("camera", "shadow_map") for side in ("width", "height")}
 BUST = Path(__file__).parents[2] / "data" / "meshes" / "bust.glb"
@@ -133,3 +135,107 @@ def test_a_mesh_of_no_usual_size(tmp_path, unit, side):
     with pytest.raises(SceneError, match=problem):
         write_first_scene(str(body), tmp_path / "a.toml", replace=False)
     assert not (tmp_path / "a.toml").exists()
+
+
+BOX = [(x, y, z) for x in (9.0, 11.0) for y in (-4.0, 4.0) for z in (-1.0, 2.0)]  # 2 x 8 x 3, around (10, 0, 0.5)
+
+
+def distance_that_holds(points, azimuth):
+    """How far away an eye 5 degrees above holds them with 12 % to spare, within 30 degrees; a loop over points."""
+    turned, raised = math.radians(azimuth), math.radians(5)
+    backward = np.array([math.cos(raised) * math.sin(turned), math.sin(raised), math.cos(raised) * math.cos(turned)])
+    right = np.array([math.cos(turned), 0, -math.sin(turned)])
+    up = np.cross(backward, right)
+    halves = [max(abs(point @ right), abs(point @ up)) / math.tan(math.radians(15)) for point in points]
+    return max(point @ backward + 1.12 * half for point, half in zip(points, halves, strict=True))
+
+
+def test_every_number_of_a_file(tmp_path):
+    """A box of 8 units, 250 mm: the scale of T is .05 on 2 units, and on 8 it is 4^.75 times that."""
+    data = tomllib.loads(first_scene(mesh_of(BOX), "a/b.obj"))
+    far = distance_that_holds(np.array(BOX) - (10, 0, 0.5), 25)
+    distance, radius = float(f"{far:.3g}"), math.sqrt(1 + 16 + 1.5 * 1.5)
+    near, beyond = ((far - radius) / 2, 2 * (far + radius))
+    lamp = {"distance": distance}
+    assert data == {
+        "preset": "robust",
+        "mm_per_unit": 31.2,
+        "mesh": {"path": "a/b.obj", "color": [0.82, 0.52, 0.41]},
+        "camera": {
+            **{
+                "type": "orbit",
+                "target": [10, 0, 0.5],
+                "azimuth": 25,
+                "elevation": 5,
+                "distance": distance,
+                "fov_y": 30,
+            },
+            "near": float(f"{near:.3g}"),
+            "far": float(f"{beyond:.3g}"),
+        },
+        "lights": [
+            {"azimuth": -20, "elevation": 35, **lamp, "color": [1, 0.96, 0.92], "intensity": 0.85},
+            {"azimuth": 200, "elevation": 20, **lamp, "color": [1, 0.45, 0.28], "intensity": 0.7},
+        ],
+        "phong": {"ambient": 0.04, "specular": 0.3},
+        "translucency": {"combine": "transmit_wrapped", "exponent": 0.75, "d_min": 0.12, "scale": 0.141},
+        "output": {"background": [0.012, 0.016, 0.022], "exposure": 0},
+    }
+
+
+def test_a_picture_over_uvs_is_offered_where_there_are_any():
+    offer = "color = [0.82, 0.52, 0.41]              # linear RGB; or texture = a picture that lies over its UVs\n"
+    bare, laid_out = (first_scene(mesh_of(BOX, uvs=uvs), "a") for uvs in (None, [(0, 0)] * 8))
+    assert offer in laid_out and offer not in bare
+    assert laid_out.replace("; or texture = a picture that lies over its UVs", "") == bare
+
+
+@pytest.mark.parametrize(("depth", "front"), [(-5.0, 180), (-2.25, 180), (-2.0, 0), (0, 0), (5, 0)])
+@pytest.mark.parametrize("moved", [(0, 0, 0), (1, -8, 16)])
+def test_it_is_seen_from_behind_where_its_head_is_beyond_a_fifth_of_its_depth(depth, front, moved):
+    points = np.array([(0, 0, -5), (0, 0, 5), (0, 8, depth)])
+    assert front_of(mesh_of(points + moved)) == front
+
+
+@pytest.mark.parametrize(("height", "front"), [(6, 0), (5.875, 180), (7, 0)])
+def test_the_head_is_the_upper_quarter(height, front):
+    """Of a height of 8 it is what is 6 or higher: then it reaches from -5 to 5."""
+    assert front_of(mesh_of([(0, 0, -5), (0, 0, 5), (0, 8, -5), (0, height, 5)])) == front
+
+
+def test_a_head_is_where_its_middle_is():
+    """From -5 to 1 the middle is -2, on the border; from -5 to 0.9 it is beyond."""
+    ends = [(0, 0, -5), (0, 0, 5), (0, 8, -5)]
+    assert (front_of(mesh_of([*ends, (0, 7, 1)])), front_of(mesh_of([*ends, (0, 7, 0.9)]))) == (0, 180)
+
+
+@pytest.mark.parametrize(("side", "drawn"), [(2.0**-39, True), (2.0**39, True), (9e-13, False), (1.1e12, False)])
+def test_sides_that_can_be_drawn(side, drawn):
+    mesh = mesh_of([(0, 0, 0), (side, 0, 0), (0, side, 0)])
+    if drawn:
+        assert tomllib.loads(first_scene(mesh, "a"))["camera"]["fov_y"] == 30
+    else:
+        with pytest.raises(
+            SceneError, match=r"body\.obj: expected a mesh whose longest side is 1e-12 to 1e\+12 units, got"
+        ):
+            first_scene(mesh, "a")
+
+
+def test_a_file_that_is_there_is_kept_unless_it_may_go(tmp_path):
+    target = tmp_path / "a.toml"
+    write_first_scene("tetrahedron", target, replace=False)
+    first = target.read_text()
+    target.write_text("mine")
+    with pytest.raises(
+        SceneError, match=r"a\.toml: expected a new file, got one that is there; choose another with -o, or"
+    ):
+        write_first_scene("tetrahedron", target, replace=False)
+    assert target.read_text() == "mine"
+    write_first_scene("tetrahedron", target, replace=True)
+    assert target.read_text() == first
+
+
+@pytest.mark.parametrize(("name", "came"), [("a.txt", ".txt"), ("a", "none")])
+def test_a_scene_file_ends_in_toml(tmp_path, name, came):
+    with pytest.raises(SceneError, match=rf"{name}: expected a file name that ends in \.toml, got {came}; add it"):
+        write_first_scene("tetrahedron", tmp_path / name, replace=True)
