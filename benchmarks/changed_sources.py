@@ -13,6 +13,7 @@ SWAPPED = {
     ast.Mult: ast.Div, ast.Div: ast.Mult, ast.FloorDiv: ast.Mult, ast.And: ast.Or, ast.Or: ast.And,
     ast.BitAnd: ast.BitOr, ast.BitOr: ast.BitAnd, ast.RShift: ast.LShift, ast.LShift: ast.RShift,
 }  # fmt: skip
+OF_A_ROW = ("write_float", "write_int", "reread_float", "reread_int")  # see interpret/kernel/row_memory.py
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +79,7 @@ def computed(node: ast.AST, statement: ast.stmt | None, is_called: bool) -> Iter
 
     statement: which the node is of; is_called: whether a function has to be called for it.
     """
-    apart = {id(each) for each in not_computed(node)}
+    apart = {id(each) for each in [*not_computed(node), *([] if is_called else union_type(node))]}
     body = {id(each) for each in node.body} if isinstance(node, ast.FunctionDef) else set()
     for child in ast.iter_child_nodes(node):
         if id(child) not in apart:
@@ -89,18 +90,25 @@ def computed(node: ast.AST, statement: ast.stmt | None, is_called: bool) -> Iter
 
 
 def not_computed(node: ast.AST) -> list[ast.AST]:
-    """What of a node says a type, how a function is made, or that lengths agree; A | B is a type at the top level."""
+    """What of a node says a type, how a function is made, that lengths agree, or to LLVM what is apart.
+
+    That is a row's number among those that a kernel writes: with another one LLVM knows more or less of the memory, and
+    the same is written.
+    """
     found = [getattr(node, "annotation", None), getattr(node, "returns", None), *getattr(node, "decorator_list", [])]
-    if isinstance(node, ast.Module):
-        found += [each.value for each in node.body if isinstance(each, ast.Assign) and is_union(each.value)]
     if isinstance(node, ast.Call) and ast.unparse(node.func) == "zip":
         found += node.keywords
+    if isinstance(node, ast.Call) and ast.unparse(node.func) in OF_A_ROW:
+        found += node.args[:1]
     return [each for each in found if each]
 
 
-def is_union(node: ast.AST) -> bool:
-    """Whether an expression is A | B."""
-    return isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitOr)
+def union_type(node: ast.AST) -> list[ast.AST]:
+    """The A | B that a node gives a name to; outside of functions it is a type, but with a dictionary in it."""
+    value = node.value if isinstance(node, ast.Assign) else node
+    is_union = isinstance(value, ast.BinOp) and isinstance(value.op, ast.BitOr)
+    is_type = is_union and not any(isinstance(each, ast.Dict | ast.DictComp) for each in ast.walk(value))
+    return [value] if is_type else []
 
 
 def changes(node: ast.AST) -> Iterator[ast.AST]:

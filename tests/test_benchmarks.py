@@ -101,3 +101,15 @@ def test_a_mutant_knows_the_lines_that_are_executed_with_it(monkeypatch, tmp_pat
         "(5)": [3, 4, 5],
         "return (a)": [6],
     }
+
+
+def test_what_changes_no_value_is_no_place(monkeypatch, tmp_path):
+    """A union that has a name is a type, but in a function a value; a row's number tells LLVM alone which it is."""
+    monkeypatch.syspath_prepend(str(FOLDER))
+    import changed_sources
+
+    source = "T = X | Y\nD = E | {}\ndef f(a):\n    b = a | 3\n    write_int(4, a, 5)\n    zip(a, strict=True)\n"
+    (tmp_path / "a.py").write_text(source, encoding="utf-8")
+    monkeypatch.setattr(changed_sources, "PACKAGE", tmp_path)
+    found = [each.changed_line for each in changed_sources.mutants(Path("a.py"))]
+    assert found == ["D = (E & {})", "b = (a & 3)", "b = a | (4)", "write_int(4, a, (6))"]
