@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from sss_ref.dump.srgb import srgb_decoded
 from sss_ref.language import Array, Texture, dot, ivec2, length, max, nearest_texel, normalize, pow, select, size, texel
 from sss_ref.language.stage import Stage
 from sss_ref.language.types import vec2, vec3
@@ -168,9 +169,8 @@ def _other_texels(picture: str, change: Callable[[np.ndarray], np.ndarray]) -> C
 
 
 def _decoded(texels: np.ndarray) -> np.ndarray:
-    """Numbers from 0 to 1 taken for codes of sRGB (IEC 61966-2-1)."""
-    curve = ((texels.astype(np.float64) + 0.055) / 1.055) ** 2.4
-    return np.where(texels <= 0.04045, texels / 12.92, curve).astype(np.float32)
+    """Numbers from 0 to 1 taken for codes of sRGB."""
+    return srgb_decoded(texels).astype(np.float32)
 
 
 def _green_down(right: Any, given: Given) -> Any:
