@@ -185,7 +185,7 @@ def test_pictures_that_repeat():
 
 
 LOOKED_UP = {
-    "light_distance": Texture(np.arange(8, dtype=np.float32).reshape(4, 2)),
+    "light_distance": Texture(np.arange(32, dtype=np.float32).reshape(4, 8)),
     "position_world": vector(0, 0, 0),
 }
 
@@ -193,19 +193,19 @@ LOOKED_UP = {
 @pytest.mark.parametrize(
     ("words", "found"),
     [
-        ("upside down", 5),
-        ("half a texel too far up and right", 5),
-        ("half a texel too far up and left", 4),
-        ("half a texel too far down and right", 3),
-        ("half a texel too far down and left", 2),
+        ("upside down", 20),
+        ("half a texel too far up and right", 20),
+        ("half a texel too far up and left", 19),
+        ("half a texel too far down and right", 12),
+        ("half a texel too far down and left", 11),
     ],
 )
 def test_a_map_read_beside_its_place(words, found):
-    """The middle of its 4 rows and 2 columns lies between texels; above it for the one that counts from the top."""
+    """The middle of its 4 rows and 8 columns lies between texels; above it for the one that counts from the top."""
     v = 0.3 if words == "upside down" else 0.5
     uv, valid = vec2(np.float32([0.5, 0.5]), np.float32([v, v])), np.array([True, False])
-    value = one("stored_distance", f"the shadow map is read {words}", LOOKED_UP, uv, valid, np.float32([9, 9]))
-    assert value.tolist() == [found, 9]
+    value = one("stored_distance", f"the shadow map is read {words}", LOOKED_UP, uv, valid, np.float32([99, 99]))
+    assert value.tolist() == [found, 99]
 
 
 TEXELS = np.float32([[[0, 0.04, 0.5]], [[1, 0.0405, 0.2]]])
