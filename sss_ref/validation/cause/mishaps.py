@@ -34,7 +34,7 @@ def mishaps(visible: Visible, name: str, got: np.ndarray) -> Iterator[tuple[str,
 def _drawings(visible: Visible) -> Iterator[Redrawn]:
     primitives, viewport, layout = visible.boxes.primitives, visible.boxes.viewport, visible.draw.layout
     step, snapped = viewport.step, primitives.snapped
-    turn = _turns(primitives)
+    turn = turns(primitives)
     yield "triangles that turn clockwise in the window are culled", only(primitives, turn > 0), viewport, layout
     yield (
         "triangles that turn counter-clockwise in the window are culled",
@@ -79,7 +79,7 @@ def _at(primitives: Primitives, snapped: np.ndarray) -> Primitives:
     return primitives._replace(snapped=np.ascontiguousarray(snapped, np.int32))
 
 
-def _turns(primitives: Primitives) -> np.ndarray:
+def turns(primitives: Primitives) -> np.ndarray:
     """Above 0 for pieces that turn counter-clockwise in the window, rows counted upwards; int64 (P,)."""
     a, b, c = (primitives.snapped[primitives.corners[:, k]].astype(np.int64).T for k in range(3))
     return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])

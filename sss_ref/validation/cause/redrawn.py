@@ -22,6 +22,7 @@ from sss_ref.scene.scene import Scene
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.rebased import Check, checks_of
 from sss_ref.validation.cause.hypothesis import INPUT, NUMBER, SETTING, STATE, Charge
+from sss_ref.validation.cause.mishaps import turns
 
 Move = Callable[[Primitives, int], Primitives]  # of pieces, and the step of a pixel
 Matrix = np.ndarray
@@ -188,6 +189,4 @@ def _scaled(scale: np.ndarray, pieces: Primitives, step: int) -> Primitives:
 
 
 def _culled(sign: int, pieces: Primitives, step: int) -> Primitives:
-    a, b, c = (pieces.snapped[pieces.corners[:, k]].astype(np.int64).T for k in range(3))
-    turn = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
-    return only(pieces, turn * sign > 0)
+    return only(pieces, turns(pieces) * sign > 0)
