@@ -18,8 +18,8 @@ FAR, SAME_DEPTH = 1.0, 2.0**-14  # the depth where nothing is drawn, and from wh
 CLOSER, FARTHEST = 6, 8.0  # how often a fit is made anew, and how many pixels it may come to
 TRIMS = 4
 DECIMALS, AS_GOOD_AS = 3, 0.005  # of a pixel, and pixels
-NOTICED = 2.0**-9  # pixels, and of a picture half of which is as wide as that by which it grows
-SEARCHED = 2.0 ** -np.arange(1, 8)  # pixels: the steps of a search, where no number has a slope
+NOTICED = 2.0**-9  # of a picture's size
+SEARCHED = [2.0**-power for power in range(1, 8)]  # pixels: the steps of a search, where no number has a slope
 AROUND = [(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if (x, y) != (0, 0)]
 
 
@@ -80,7 +80,7 @@ def lying_off(todo: Redrawing, limit: Limit) -> Iterator[LyingOff]:
     for name in names:
         draw = Projected(todo, name)
         x, y = fitted_shift(draw, limit)
-        if max(abs(x), abs(y)) >= NOTICED:
+        if x or y:
             yield draw.off_by(x, y)
         scale = _fitted_scale(draw)
         if abs(scale - 1) >= NOTICED:
