@@ -9,19 +9,20 @@ T = TypeVar("T")
 
 
 class Crew(ThreadPoolExecutor):
-    """A pool of `count` threads whose `map` hands out a future to each thread and not to each task.
+    """A pool whose `map` spreads tasks over `count` threads, of which the caller's is one.
 
-    A task of a pass takes less than a millisecond, of which a future of its own would be a tenth.
+    A task of a pass takes less than a millisecond, of which a future of its own would be a tenth. A thread that waits
+    is slow to wake, so the caller works too, and waits for none that has nothing left to do.
     """
 
     def __init__(self, count: int) -> None:
-        super().__init__(count)
+        super().__init__(max(count - 1, 1))
         self.count = count
 
     def map(
         self, fn: Callable[..., T], *iterables: Iterable[Any], timeout: float | None = None, chunksize: int = 1
     ) -> Iterator[T]:
-        """What a function gives of each task, in their order; all are done by then. timeout: seconds, of a thread.
+        """What a function gives of each task, in their order; all are done by then. timeout: seconds, of another thread.
 
         chunksize is that of processes. Of tasks that fail one's exception is raised, and those not begun are left out.
         """
@@ -29,15 +30,18 @@ class Crew(ThreadPoolExecutor):
         results: dict[int, T] = {}
 
         def work() -> None:
-            while task := taken(tasks):
-                number, arguments = task
-                results[number] = fn(*arguments)
+            try:
+                while task := taken(tasks):
+                    number, arguments = task
+                    results[number] = fn(*arguments)
+            finally:
+                tasks.clear()
 
-        try:
-            for future in [self.submit(work) for _ in range(min(self.count, len(tasks)))]:
-                future.result(timeout)
-        finally:
-            tasks.clear()
+        others = [self.submit(work) for _ in range(min(self.count, len(tasks)) - 1)]
+        work()
+        for other in others:
+            if not other.cancel():
+                other.result(timeout)
         return (results[number] for number in range(len(results)))
 
 

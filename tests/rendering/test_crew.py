@@ -20,6 +20,16 @@ def test_all_threads_take_tasks():
         assert sorted(crew.map(lambda _: both.wait(), range(2))) == [0, 1]
 
 
+def test_the_caller_waits_for_no_thread_that_is_busy():
+    """Nothing lets the other thread go before all tasks are done."""
+    done = threading.Event()
+    with Crew(2) as crew:
+        busy = crew.submit(done.wait, 60)
+        assert {*crew.map(lambda _: threading.get_ident(), range(5))} == {threading.get_ident()}
+        done.set()
+        assert busy.result()
+
+
 def test_a_task_that_fails_ends_the_work():
     begun = []
 
