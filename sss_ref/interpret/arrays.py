@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from sss_ref.interpret.finite import is_finite
 from sss_ref.interpret.work import Work, buffer_value, store, uniform_value
 from sss_ref.language.layout import CHANNELS
 from sss_ref.language.pipeline import CLIP_POSITION, MESH_ATTRIBUTES, PIXEL, Pass
@@ -43,14 +44,18 @@ def run_vertices(
     return clip_position, attributes
 
 
-def run_fragments(work: Work, pool: Executor | None) -> None:
-    """Run the stages of a pass on all its fragments and fill its outputs; array code has no use for the pool."""
+def run_fragments(work: Work, pool: Executor | None) -> bool:
+    """Run the stages of a pass on all its fragments and fill its outputs: whether all of these are finite.
+
+    Array code has no use for the pool.
+    """
     for name, buffer in work.outputs.items():
         buffer[...] = work.backgrounds[name] if buffer.ndim == 3 else work.backgrounds[name][0]
     for at in in_chunks(work.fragments.where):
         values = stage_values(work, *at)
         for name, buffer in work.outputs.items():
             store(buffer, *at, values[name])
+    return is_finite(work)
 
 
 def in_chunks(where: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:

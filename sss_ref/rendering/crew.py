@@ -22,7 +22,7 @@ class Crew(ThreadPoolExecutor):
     def map(
         self, fn: Callable[..., T], *iterables: Iterable[Any], timeout: float | None = None, chunksize: int = 1
     ) -> Iterator[T]:
-        """What a function gives of each task, in their order; all are done by then. timeout: seconds, of another thread.
+        """What a function gives of each task, in their order; all are done by then. timeout: seconds, of another.
 
         chunksize is that of processes. Of tasks that fail one's exception is raised, and those not begun are left out.
         """

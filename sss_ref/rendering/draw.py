@@ -11,7 +11,7 @@ from sss_ref.cache.spare_memory import SPARE
 from sss_ref.errors import MeshError
 from sss_ref.errors.wording import told
 from sss_ref.interpret import arrays
-from sss_ref.interpret.finite import require_finite
+from sss_ref.interpret.not_finite import not_finite
 from sss_ref.interpret.work import Fragments, Work
 from sss_ref.language.layout import CHANNELS, dtype_of, shape_of
 from sss_ref.language.pipeline import Pass
@@ -104,9 +104,9 @@ def shade(
     clear = {name: np.broadcast_to(scene.clear(name), CHANNELS[kinds[name]]) for name in names}
     backgrounds = {name: value.astype(dtype_of(kinds[name])) for name, value in clear.items()}
     work = Work(this_pass, fragments, scene.uniforms, buffers, outputs, backgrounds)
-    machine.interpreter.run_fragments(work, machine.pool)
-    if machine.stops:
-        require_finite(work, machine.pool)
+    finite = machine.interpreter.run_fragments(work, machine.pool)
+    if machine.stops and not finite:
+        raise not_finite(work)
     return outputs
 
 

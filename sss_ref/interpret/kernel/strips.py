@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from sss_ref.interpret.finite import is_finite
 from sss_ref.interpret.kernel.border import carried_over, is_dilation
 from sss_ref.interpret.kernel.fragment_rows import put_words
 from sss_ref.interpret.kernel.modules import address_of
@@ -49,19 +50,22 @@ def run_vertices(
     return clip_position, attributes
 
 
-def run_fragments(work: Work, pool: Executor | None) -> None:
-    """Run the stages of a pass on all its fragments and fill its outputs, by bands of rows over the pool."""
+def run_fragments(work: Work, pool: Executor | None) -> bool:
+    """Run the stages of a pass on all its fragments and fill its outputs, by bands of rows over the pool.
+
+    Gives whether all outputs are finite.
+    """
     dilates = is_dilation(work.this_pass)
     filling, clearing = planned(work), Program() if dilates else cleared(work)
     calls, clears = filling.calls, clearing.calls
 
-    def band(first_row: int) -> None:
+    def band(first_row: int) -> bool:
         rows = slice(first_row, min(first_row + BAND, work.fragments.height))
         where = carried_over(work, rows) if dilates else covered(work.fragments, rows)
         run_rows(where, first_row, calls, clears, scratch(filling))
+        return is_finite(work, rows)
 
-    for _ in (pool.map if pool else map)(band, range(0, work.fragments.height, BAND)):
-        pass
+    return all([*(pool.map if pool else map)(band, range(0, work.fragments.height, BAND))])
 
 
 def covered(fragments: Fragments, rows: slice) -> np.ndarray:

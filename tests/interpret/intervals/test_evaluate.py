@@ -369,8 +369,8 @@ class Recording:
         self.works = []
 
     def run_fragments(self, work, pool):
-        arrays.run_fragments(work, pool)
         self.works.append(work)
+        return arrays.run_fragments(work, pool)
 
 
 def works_of(scene, **overrides):

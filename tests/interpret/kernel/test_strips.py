@@ -1,5 +1,6 @@
 """Everything that the language has, on strips: the bits of the array interpreter at any size, on any part of it."""
 
+from concurrent.futures import ThreadPoolExecutor
 from typing import NamedTuple
 
 import numpy as np
@@ -203,6 +204,27 @@ def test_texels_that_lie_side_by_side_are_the_same_texels(name, shift, holes):
         interpreter.run_fragments(work, None)
         found.append(outputs)
     assert_same_bits(*found)
+
+
+class Doubled(NamedTuple):
+    doubled: float
+
+
+@stage(source="a test")
+def double(value: float) -> Doubled:
+    return Doubled(value + value)
+
+
+@pytest.mark.parametrize("interpreter", [strips, arrays])
+@pytest.mark.parametrize("row", [None, 0, 31, 32, 69])
+def test_every_band_says_whether_it_is_finite(interpreter, row):
+    value, one = np.ones((70, 3), F), Pass("one", "", ScreenDraw(), (double,))
+    value[row if row is not None else slice(0, 0), 2] = np.finfo(F).max
+    outputs, backgrounds = {"doubled": np.empty((70, 3), F)}, {"doubled": np.zeros(1, F)}
+    work = Work(one, Fragments(3, 70), {}, {"value": value}, outputs, backgrounds)
+    with ThreadPoolExecutor(2) as threads:
+        found = [interpreter.run_fragments(work, pool) for pool in (None, threads)]
+    assert found == [row is None] * 2
 
 
 class Sum(NamedTuple):
