@@ -46,22 +46,22 @@ class Target(NamedTuple):
 
 
 def visibility(
-    primitives: Primitives, viewport: Viewport, pool: Executor | None, band_rows: int = BAND_ROWS
+    primitives: Primitives, viewport: Viewport, pool: Executor | None, bins: Bins | None = None
 ) -> tuple[np.ndarray, np.ndarray]:
     """The visible piece of each pixel, int32 (H, W), -1 where there is none, and its depth, float32 (H, W), else 1.
 
-    pool: what the bands are spread over; None draws them in this thread. band_rows: rows of a band; no bit depends on
-    either. The nearest piece wins (LESS), of two at the same depth the earlier.
+    pool: what the bands are spread over; None draws them in this thread. bins: what `bin_pieces` gives, if that is done
+    already; no bit depends on either. The nearest piece wins (LESS), of two at the same depth the earlier.
     """
-    bins = bin_pieces(primitives, viewport, band_rows)
+    bins = bins or bin_pieces(primitives, viewport)
     return drawn(primitives, bins, viewport, pool, FIRST)
 
 
 def first_and_last(
-    primitives: Primitives, viewport: Viewport, pool: Executor | None
+    primitives: Primitives, viewport: Viewport, pool: Executor | None, bins: Bins | None = None
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """What `visibility` gives, and between the two the visible piece where of two at the same depth the later wins."""
-    bins = bin_pieces(primitives, viewport, BAND_ROWS)
+    bins = bins or bin_pieces(primitives, viewport)
     first, depth = drawn(primitives, bins, viewport, pool, FIRST)
     return first, drawn(primitives, bins, viewport, pool, LAST).piece, depth
 
@@ -80,7 +80,7 @@ def drawn(primitives: Primitives, bins: Bins, viewport: Viewport, pool: Executor
     return target
 
 
-def bin_pieces(primitives: Primitives, viewport: Viewport, band_rows: int) -> Bins:
+def bin_pieces(primitives: Primitives, viewport: Viewport, band_rows: int = BAND_ROWS) -> Bins:
     """Sort the pieces into the bands they touch (counting sort, which keeps their order)."""
     band_of_row = np.arange(viewport.height) // band_rows
     counts = np.zeros(band_of_row[-1] + 2, np.int64)

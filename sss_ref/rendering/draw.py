@@ -16,7 +16,7 @@ from sss_ref.interpret.work import Fragments, Work
 from sss_ref.language.layout import CHANNELS, dtype_of, shape_of
 from sss_ref.language.pipeline import Pass
 from sss_ref.raster.primitives import Primitives, assemble
-from sss_ref.raster.rasterize import first_and_last, visibility
+from sss_ref.raster.rasterize import Bins, bin_pieces, first_and_last, visibility
 from sss_ref.raster.viewport import FINEST, Viewport
 from sss_ref.scene.scene import Scene
 
@@ -43,6 +43,14 @@ class Machine:
 
 
 @dataclass(frozen=True)
+class ReadyMesh:
+    """The mesh as a pass draws it: its pieces, and which bands of the picture each touches."""
+
+    primitives: Primitives
+    bins: Bins
+
+
+@dataclass(frozen=True)
 class Sketch:
     """A pass before its stages run.
 
@@ -54,25 +62,34 @@ class Sketch:
     notes: tuple[str, ...] = ()
 
 
-def draw(scene: Scene, this_pass: Pass, buffers: Buffers, machine: Machine) -> Sketch:
+def draw(scene: Scene, this_pass: Pass, buffers: Buffers, machine: Machine, ready: ReadyMesh | None = None) -> Sketch:
     """Rasterize the mesh if the pass draws it, or else take its rectangle.
 
-    buffers: those of earlier passes by name. Raises MeshError where a UV layout is empty, or overlaps and must not.
+    buffers: those of earlier passes by name. ready: what `made_ready` gives, if that is done already.
+    Raises MeshError where a UV layout is empty, or overlaps and must not.
     """
     if not this_pass.draw.vertex_stages:
         stencil = buffers[this_pass.draw.stencil] if this_pass.draw.stencil else None
         return Sketch(Fragments(*scene.size(this_pass), stencil=stencil))
     viewport = machine.viewport(scene, this_pass)
     varyings, _ = varying_columns(this_pass)
-    primitives = assemble(*vertices(scene, this_pass, buffers, machine), scene.mesh_of(this_pass).triangles, viewport)
+    ready = ready or made_ready(scene, this_pass, buffers, machine)
+    primitives, bins = ready.primitives, ready.bins
     notes: tuple[str, ...] = ()
     if this_pass.draw.layout:
-        first, last, depth = first_and_last(primitives, viewport, machine.pool)
+        first, last, depth = first_and_last(primitives, viewport, machine.pool, bins)
         piece, notes = _laid_out(scene, primitives, first, last)
     else:
-        piece, depth = visibility(primitives, viewport, machine.pool)
+        piece, depth = visibility(primitives, viewport, machine.pool, bins)
     fragments = Fragments(viewport.width, viewport.height, primitives, piece, viewport.step, varyings)
     return Sketch(fragments, {this_pass.draw.depth: depth}, notes)
+
+
+def made_ready(scene: Scene, this_pass: Pass, buffers: Buffers, machine: Machine) -> ReadyMesh:
+    """The mesh before a pass draws it; one thread does it."""
+    viewport = machine.viewport(scene, this_pass)
+    primitives = assemble(*vertices(scene, this_pass, buffers, machine), scene.mesh_of(this_pass).triangles, viewport)
+    return ReadyMesh(primitives, bin_pieces(primitives, viewport))
 
 
 def vertices(scene: Scene, this_pass: Pass, buffers: Buffers, machine: Machine) -> tuple[np.ndarray, np.ndarray]:

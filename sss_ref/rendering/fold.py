@@ -21,6 +21,7 @@ from sss_ref.raster.viewport import FINEST
 from sss_ref.rendering.crew import Crew
 from sss_ref.rendering.cut_off import cut_off
 from sss_ref.rendering.draw import Buffers, Machine, Sketch, draw, shade
+from sss_ref.rendering.foresight import Foresight
 from sss_ref.rendering.memory import check_memory
 from sss_ref.rendering.nothing_shown import hidden, nothing_drawn
 from sss_ref.rendering.result import Result
@@ -78,11 +79,13 @@ def folded(
     timings: dict[str, float] = {}
     notes: list[str] = []
     unshown: list[str] = []
-    for this_pass, read_later in scene.method.only(kept).in_order():
+    passes = [*scene.method.only(kept).in_order()]
+    foresight = Foresight(scene, (this_pass for this_pass, _ in passes), machine)
+    for this_pass, read_later in passes:
         if on_pass:
             on_pass(this_pass.name)
         start, needed = time.perf_counter(), kept | read_later
-        sketch = draw(scene, this_pass, buffers, machine)
+        sketch = draw(scene, this_pass, buffers, machine, foresight.mesh(this_pass, buffers))
         written = sketch.written | shaded(scene, this_pass, sketch, buffers, needed, machine)
         if on_buffer:
             for name in sorted(kept & set(written)):

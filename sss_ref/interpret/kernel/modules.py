@@ -5,6 +5,7 @@ import linecache
 import sys
 from collections.abc import Callable
 from functools import cache
+from threading import RLock
 from types import ModuleType
 from typing import Any
 
@@ -35,11 +36,16 @@ def _address(module: ModuleType, call: StageCall) -> int:
     return address
 
 
-@cache
+ONE_AT_A_TIME = RLock()  # so that threads that want the same are given the same
+ADDRESSES: dict[Callable[..., None], int] = {}
+
+
 def address_of(function: Callable[..., None]) -> int:
     """Where a function of rows that is written by hand begins, compiled when it is first asked for."""
-    address: int = row_function(function).address
-    return address
+    with ONE_AT_A_TIME:
+        if function not in ADDRESSES:
+            ADDRESSES[function] = row_function(function).address
+    return ADDRESSES[function]
 
 
 CODES: dict[Any, list[StageCode]] = {}  # of each signature, those of different bodies
@@ -48,11 +54,14 @@ CODES: dict[Any, list[StageCode]] = {}  # of each signature, those of different 
 def code_of(stage: Stage, uniform: frozenset[str]) -> StageCode:
     """A stage compiled, once for all passes and lights; uniform: those of its parameters that are uniforms."""
     signature = stage.name, *stage.parameters.items(), *stage.outputs.items(), uniform
-    codes = CODES.setdefault(signature, [])
-    same = [code for code in codes if code.body is stage.body] or [code for code in codes if code.body == stage.body]
-    if not same:
-        codes.append(StageCode(stage, uniform))
-    return same[0] if same else codes[-1]
+    with ONE_AT_A_TIME:
+        codes = CODES.setdefault(signature, [])
+        same = [code for code in codes if code.body is stage.body] or [
+            code for code in codes if code.body == stage.body
+        ]
+        if not same:
+            codes.append(StageCode(stage, uniform))
+        return same[0] if same else codes[-1]
 
 
 @cache
