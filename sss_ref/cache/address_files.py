@@ -5,12 +5,12 @@ This code must need nothing from outside but C functions: those of Python, and t
 """
 
 from dataclasses import dataclass
-from functools import cache
+from pathlib import Path
 from typing import Any
 
-import llvmlite.binding as llvm
-
 from sss_ref.cache.kernel_files import KernelFiles
+from sss_ref.cache.linked import address_of_linked, link
+from sss_ref.cache.whole_files import refused
 
 
 class AddressFiles(KernelFiles):
@@ -23,10 +23,15 @@ class AddressFiles(KernelFiles):
         _, _, (object_code, _) = result.library.serialize_using_object_code()
         return result.fndesc.llvm_cfunc_wrapper_name, object_code
 
-    def rebuilt(self, kept: tuple[str, bytes], target: Any) -> "Loaded":
-        """Its code, linked where it is now."""
-        name, object_code = kept
-        return Loaded(name, object_code)
+    def rebuilt(self, path: Path, reduced: tuple[str, bytes], target: Any) -> "Loaded | None":
+        """Its code, linked where it is now; None, which is said, if the file holds that of another function."""
+        name, object_code = reduced
+        link(object_code)
+        address = address_of_linked(name)
+        if address == 0:
+            refused(path, f"the code of {name}", "none of that name")
+            return None
+        return Loaded(name, address)
 
 
 @dataclass(frozen=True)
@@ -34,7 +39,7 @@ class Loaded:
     """Linked code, with the names under which numba asks a compiled function for its address."""
 
     llvm_cfunc_wrapper_name: str
-    object_code: bytes
+    address: int
 
     @property
     def fndesc(self) -> "Loaded":
@@ -47,16 +52,5 @@ class Loaded:
         return self
 
     def get_pointer_to_function(self, name: str) -> int:
-        """The address of the function of that name."""
-        engine = _engine()
-        engine.add_object_file(llvm.ObjectFileRef.from_data(self.object_code))
-        engine.finalize_object()
-        address: int = engine.get_function_address(name)
-        return address
-
-
-@cache
-def _engine() -> Any:
-    """What links the code; numba has told LLVM of the processor."""
-    machine = llvm.Target.from_default_triple().create_target_machine(jit=True)
-    return llvm.create_mcjit_compiler(llvm.parse_assembly(""), machine)
+        """The address, of the one function that there is."""
+        return self.address

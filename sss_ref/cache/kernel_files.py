@@ -6,10 +6,7 @@ that an edit asks for another file; and one that is not whole is told and made a
 """
 
 import hashlib
-import logging
-import os
 import pickle
-import shutil
 from pathlib import Path
 from typing import Any
 
@@ -17,12 +14,13 @@ from numba.core import compiler, serialize
 from numba.core.runtime import nrt
 
 from sss_ref.cache.kernel_sources import sources_hash
+from sss_ref.cache.whole_files import keep, kept
 
 COMPILE_RESULT: Any = compiler.CompileResult  # numba has no types
 DUMPS: Any = serialize.dumps
 MEMORY: Any = nrt.rtsys
 SUFFIX = ".kernel"
-DIGEST = 32  # bytes of SHA-256 before the content of a file
+NAMED = 32  # digits of a hash in a file's name
 
 
 class KernelFiles:
@@ -41,29 +39,23 @@ class KernelFiles:
         """The compiled function for these argument types, or None."""
         MEMORY.initialize(target)  # of what numba's own cache makes ready here, machine code needs no more
         path = self._path(types, target.codegen())
-        reduced = path and _kept(path)
-        return self.rebuilt(pickle.loads(reduced), target) if reduced else None
+        reduced = path and kept(path)
+        return self.rebuilt(path, pickle.loads(reduced), target) if path and reduced else None
 
     def save_overload(self, types: Any, result: Any) -> None:
         """Keep a compiled function."""
         path = self._path(types, result.codegen)
         if path is None or result.library.has_dynamic_globals:
             return
-        reduced = DUMPS(self.reduced(result))
-        part = path.with_suffix(f".{os.getpid()}.part")
-        try:
-            part.write_bytes(_digest(path, reduced) + reduced)
-            part.replace(path)
-        except OSError as error:
-            _say(path, "a file that can be written", error.strerror or "none", "the next process compiles again")
+        keep(path, DUMPS(self.reduced(result)))
 
     def reduced(self, result: Any) -> Any:
         """What of a compiled function is kept."""
         return result._reduce()
 
-    def rebuilt(self, kept: Any, target: Any) -> Any:
-        """The compiled function of what was kept."""
-        return COMPILE_RESULT._rebuild(target, *kept)
+    def rebuilt(self, path: Path, reduced: Any, target: Any) -> Any:
+        """The compiled function of what a file held (None: it was another)."""
+        return COMPILE_RESULT._rebuild(target, *reduced)
 
     def _path(self, types: Any, codegen: Any) -> Path | None:
         """The file for these argument types and this processor (None: a function whose source nobody knows)."""
@@ -72,40 +64,4 @@ class KernelFiles:
             return None
         name = self._function.__qualname__
         key = repr([sources, self._function.__module__, name, str(types), codegen.magic_tuple()])
-        return self._folder / f"{name}-{hashlib.sha256(key.encode()).hexdigest()[:DIGEST]}{self.suffix}"
-
-
-def _kept(path: Path) -> bytes | None:
-    """What was kept in a file; None if there is none, or a damaged one, which is said: it will be replaced."""
-    if not os.path.lexists(path):
-        return None
-    try:
-        if not path.is_file():
-            _clear(path)
-            came = "a folder or a device"
-        else:
-            content = path.read_bytes()
-            if content[:DIGEST] == _digest(path, content[DIGEST:]):
-                return content[DIGEST:]
-            came = "a damaged one"
-    except OSError as error:
-        came = error.strerror or "one that cannot be read"
-    _say(path, "a whole file", came, "it is compiled and written again")
-    return None
-
-
-def _digest(path: Path, reduced: bytes) -> bytes:
-    """The hash of a file's content and of its name, so that one under another's name is none."""
-    return hashlib.sha256(path.name.encode() + b"\0" + reduced).digest()
-
-
-def _clear(path: Path) -> None:
-    """Remove what no file can be written over."""
-    if path.is_dir() and not path.is_symlink():
-        shutil.rmtree(path)
-    else:
-        path.unlink()
-
-
-def _say(path: Path, expected: str, came: str, remedy: str) -> None:
-    logging.getLogger("sss_ref").warning("%s: expected %s, got %s; %s", path, expected, came, remedy)
+        return self._folder / f"{name}-{hashlib.sha256(key.encode()).hexdigest()[:NAMED]}{self.suffix}"

@@ -1,9 +1,12 @@
+import pickle
+
 import numpy as np
 import pytest
 from numba import types
 from numba.core.ccallback import CFunc
 
 from sss_ref.cache.address_files import AddressFiles
+from sss_ref.cache.whole_files import keep, kept
 
 SIGNATURE = (types.CPointer(types.float32), types.int64), types.void
 
@@ -49,5 +52,19 @@ def test_a_damaged_file_is_told_and_replaced(place, tmp_path, caplog):
     assert again.cache_hits == 0 and of_values(again) == [3.0, -4.0, 3.0]
     assert [record.getMessage() for record in caplog.records] == [
         f"{path}: expected a whole file, got a damaged one; it is compiled and written again"
+    ]
+    assert of_files(tmp_path).cache_hits == 1
+
+
+def test_a_file_with_the_code_of_another_is_told_and_replaced(tmp_path, caplog):
+    """LLVM says of a name that it does not find that it begins at 0; nobody may call that."""
+    of_files(tmp_path)
+    (path,) = tmp_path.iterdir()
+    _, object_code = pickle.loads(kept(path))
+    keep(path, pickle.dumps(("no_such_function", object_code)))
+    again = of_files(tmp_path)
+    assert again.cache_hits == 0 and of_values(again) == [3.0, -4.0, 3.0]
+    assert [record.getMessage() for record in caplog.records] == [
+        f"{path}: expected the code of no_such_function, got none of that name; it is compiled and written again"
     ]
     assert of_files(tmp_path).cache_hits == 1

@@ -1,4 +1,4 @@
-"""From a stage's typed tree to lines of scalar Python, the form that numba compiles.
+"""From a stage's typed tree to lines of scalar Python, which assembly.py translates for LLVM.
 
 Vectors become one variable per component and functions are written out where they are called. Each operation stays
 one float32 operation in the order written, so the lines give the bits that array code gives. What depends on uniforms

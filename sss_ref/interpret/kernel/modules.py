@@ -2,18 +2,27 @@
 
 import hashlib
 import linecache
-import sys
 from collections.abc import Callable
 from functools import cache
 from threading import RLock
 from types import ModuleType
 from typing import Any
 
+from numba import types
+
+from sss_ref.cache import object_files
+from sss_ref.cache.compiled import SETTINGS, callable_compiled
+from sss_ref.cache.kernel_sources import sources_hash
+from sss_ref.cache.linked import address_of_linked, link, make_known
+from sss_ref.interpret.kernel import assembly
 from sss_ref.interpret.kernel.elementary_rows import ELEMENTARY_ROWS
 from sss_ref.interpret.kernel.row_function import row_function
 from sss_ref.interpret.kernel.source import StageSource
 from sss_ref.interpret.kernel.stage_rows import StageCall
 from sss_ref.language.stage import Stage
+from sss_ref.numerics.scalar import exp2_scalar, exp_scalar, log2_scalar, pow_scalar
+
+SCALARS = (exp2_scalar, exp_scalar, log2_scalar, pow_scalar)
 
 
 class StageCode:
@@ -21,18 +30,41 @@ class StageCode:
 
     def __init__(self, stage: Stage, uniform: frozenset[str]) -> None:
         source = StageSource(stage, uniform)
-        module = imported(source.text, stage.name)
+        own = own_addresses(source, stage.name)
         self.body = stage.body
         rows = source.rows
         self.inputs, self.outputs, self.others = rows.inputs, rows.outputs, len(rows.rows) - rows.inputs - rows.outputs
-        self.calls: list[tuple[int, StageCall]] = [(_address(module, call), call) for call in source.calls]
+        self.calls: list[tuple[int, StageCall]] = [
+            (address_of(ELEMENTARY_ROWS[call.function]) if call.elementary else own[call.function], call)
+            for call in source.calls
+        ]
 
 
-def _address(module: ModuleType, call: StageCall) -> int:
-    """Where the function that a call names begins."""
-    if call.elementary:
-        return address_of(ELEMENTARY_ROWS[call.function])
-    address: int = getattr(module, call.function).address
+def own_addresses(source: StageSource, name: str) -> dict[str, int]:
+    """Where each function of a stage's module begins."""
+    names = [call.function for call in source.calls if not call.elementary]
+    if SETTINGS.DISABLE_JIT:
+        module = imported(source.text, name)
+        return {each: getattr(module, each).address for each in names}
+    make_scalars_known(source.text)
+    prefix = f"sss_ref_{hashlib.sha256(source.text.encode()).hexdigest()[:16]}"
+    sources = repr([source.text, sources_hash(assembly.__file__), sources_hash(object_files.__file__)])
+    link(object_files.object_code(name, sources, lambda: assembly.assembled(source.text, prefix)))
+    return {each: address_of_linked(f"{prefix}.{each}") for each in names}
+
+
+def make_scalars_known(text: str) -> None:
+    """Have the elementary functions that loops call found by their names."""
+    for function in SCALARS:
+        if f"{function.__name__}(" in text:
+            make_known(function.__name__, address_of_scalar(function))
+
+
+@cache
+def address_of_scalar(function: Any) -> int:
+    """Where an elementary function of numbers begins, compiled when it is first asked for."""
+    numbers = [types.float32] * function.py_func.__code__.co_argcount
+    address: int = callable_compiled(function.py_func, types.float32(*numbers)).address
     return address
 
 
@@ -66,13 +98,12 @@ def code_of(stage: Stage, uniform: frozenset[str]) -> StageCode:
 
 @cache
 def imported(source: str, name: str) -> ModuleType:
-    """The module of this source, which is in no file."""
+    """The module of this source as Python, which is in no file: for runs without any compiler."""
     module_name = f"sss_ref_{name}_{hashlib.sha256(source.encode()).hexdigest()[:16]}"
     path = f"<{module_name}>"
     module = ModuleType(module_name)
     module.__file__ = path
     lines = source.splitlines(keepends=True)
     linecache.cache[path] = len(source), None, lines, path  # for whoever asks for its lines
-    sys.modules[module_name] = module  # numba looks a kept function's module up by name
     exec(compile(source, path, "exec"), module.__dict__)
     return module

@@ -43,6 +43,8 @@ WHERE_BESIDE = (
     "high = chosen(next_apart < high, next_apart, high)",
 )
 
+SIDES = "begin, end = chosen(side == 0, np.int64(0), np.int64(high)), chosen(side == 0, np.int64(low), count)"
+
 
 class StageSource:
     """The source of a stage's module, `text`, and the `calls` of its functions in order; uniform: as in StageRows."""
@@ -185,12 +187,12 @@ class RowFunction:
         to_texels = leading_to(lines, set(first))
         body = [*self.reads(uses(to_texels)), *(text for line in to_texels for text in line.text)]
         indent = INDENT * self.depth
-        self.body += [indent + text for text in ("k = middle = count // 2", *body)]
+        self.body += [indent + text for text in ("k = middle = count >> 1", *body)]
         self.body += [f"{indent}{start} = np.int32({name} - k)" for name, start in first.items()]
         self.body.append(f"{indent}low, high = np.int32(0), np.int32(count)")
         apart = " | ".join(f"({name} ^ np.int32({start} + k))" for name, start in first.items())
         self.loop([*body, f"apart = ({apart}) != 0", *WHERE_BESIDE])
-        self.body.append(f"{indent}for begin, end in ((np.int64(0), np.int64(low)), (np.int64(high), count)):")
+        self.body += [f"{indent}for side in range(2):", f"{indent}{INDENT}{SIDES}"]
         self.depth += 1
         self.one_turn(lines, sums, "begin, end")
         self.depth -= 1

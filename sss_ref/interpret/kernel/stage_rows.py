@@ -12,7 +12,7 @@ from sss_ref.language.types import Array, Texture
 
 READ = {float: "read_float({0}, {1})", int: "read_int({0}, {1})", bool: "(read_int({0}, {1}) != 0)"}
 OF_ARGUMENTS = ("scratch", "count", "rows", "uniforms", "tables")
-OF_LOOPS = ("k", "middle", "apart", "last_apart", "next_apart", "low", "high", "begin", "end")
+OF_LOOPS = ("k", "middle", "apart", "last_apart", "next_apart", "low", "high", "side", "begin", "end")
 OF_KERNELS = ("np", "chosen", *OF_ARGUMENTS, *OF_LOOPS)  # names that a module has itself
 
 
