@@ -72,7 +72,8 @@ def folded(
 ) -> Result:
     """Render the buffers `kept` of a scene on a machine, as `render` does.
 
-    on_buffer: called with each of them, its name first, as soon as the pass that writes it is done.
+    on_buffer: handed each of them, its name first, as soon as the pass that writes it is done. The result has none of
+        them then but the image: the memory of what no later pass reads is free for others.
     """
     check_memory(scene, kept)
     buffers: dict[str, np.ndarray] = {}
@@ -90,11 +91,12 @@ def folded(
         if on_buffer:
             for name in sorted(kept & set(written)):
                 on_buffer(name, written[name])
-        buffers = {name: buffer for name, buffer in (buffers | written).items() if name in needed}
+        held = read_later | kept & {"image"} if on_buffer else needed
+        buffers = {name: buffer for name, buffer in (buffers | written).items() if name in held}
         notes += sketch.notes
         unshown += nothing_drawn(scene, this_pass, sketch)
         timings[this_pass.name] = time.perf_counter() - start
-    in_stage_order = {name: buffers[name] for name in scene.method.values if name in kept}
+    in_stage_order = {name: buffers[name] for name in scene.method.values if name in kept & set(buffers)}
     if "image" in kept and not unshown:
         image = buffers["image"]
         unshown += [*hidden(scene, image)] or [*cut_off(scene.settings.output, image)]

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from sss_ref.cache.spare_memory import SPARE
 from sss_ref.passes.buffers import described
 from sss_ref.pictures.channels import channel_names
 
@@ -46,13 +47,26 @@ def _box(width: int, height: int) -> tuple[np.ndarray, np.ndarray]:
     return np.zeros(2, np.int32), np.array([width - 1, height - 1], np.int32)
 
 
+def plane_by_plane(buffer: np.ndarray) -> np.ndarray:
+    """A buffer of the same values, whose memory is as EXR has it: a plane for each channel, top row first."""
+    rows = np.atleast_3d(buffer)[::-1]
+    planes = SPARE.empty((rows.shape[2], *rows.shape[:2]), rows.dtype)
+    for row in range(0, len(rows), ROWS):  # so that all channels of some rows are in the processor's cache
+        planes[:, row : row + ROWS] = np.moveaxis(rows[row : row + ROWS], -1, 0)
+    return np.moveaxis(planes, 0, -1)[::-1].reshape(buffer.shape)
+
+
 def _channels(name: str, buffer: np.ndarray) -> dict[str, np.ndarray]:
     """Channel -> its plane; contiguous, because OpenEXR would write other pixels of an array with strides."""
-    stored = np.atleast_3d(_stored(buffer))[::-1]
-    planes = np.empty((stored.shape[2], *stored.shape[:2]), stored.dtype)
-    for row in range(0, len(stored), ROWS):  # so that all channels of some rows are in the processor's cache
-        planes[:, row : row + ROWS] = np.moveaxis(stored[row : row + ROWS], -1, 0)
+    planes = _planes(_stored(buffer))
+    if not planes.flags.c_contiguous:
+        planes = _planes(plane_by_plane(_stored(buffer)))
     return dict(zip(channel_names(name, buffer), planes, strict=True))
+
+
+def _planes(buffer: np.ndarray) -> np.ndarray:
+    """The channels of a buffer, (C, H, W), top row first; nothing is copied."""
+    return np.moveaxis(np.atleast_3d(buffer)[::-1], -1, 0)
 
 
 def _stored(buffer: np.ndarray) -> np.ndarray:

@@ -13,7 +13,7 @@ from sss_ref.pictures.overview import write_overview
 from sss_ref.pictures.png_file import image_encoding_of, write_png
 from sss_ref.rendering.result import Result, buffer_hash
 from sss_ref.rendering.samples import SampledResult
-from sss_ref.results.exr_file import write_exr
+from sss_ref.results.exr_file import plane_by_plane, write_exr
 from sss_ref.results.manifest import FILE_NAME, manifest_of, package_version, scene_hash
 from sss_ref.rules import RULES_VERSION
 
@@ -29,27 +29,32 @@ class Saving:
     pool: ThreadPoolExecutor
     interpreter: str | None
     threads: int | None
-    taken: dict[str, Future[str]] = field(default_factory=dict)
+    taken: dict[str, Future[tuple[np.ndarray, str]]] = field(default_factory=dict)
 
     def take(self, name: str, buffer: np.ndarray) -> None:
         """Begin to write and hash a buffer, which nobody changes any more."""
-        self.taken[name] = self.pool.submit(_write_buffer, self.folder, name, buffer)
+        self.taken[name] = self.pool.submit(_written, self.folder, name, buffer)
 
     def finish(self, result: Result) -> Result:
-        """Write all that is left, the manifest last; the result with its hashes. Raises what writing raises."""
-        tasks = [
-            self.pool.submit(write_buffers_exr, result, self.folder),
-            self.pool.submit(_write_pictures, result, self.folder),
-        ]
+        """Write all that is left, the manifest last; the result with hashes, and with all buffers that were taken.
+
+        Raises what writing raises.
+        """
         for name in result.buffers:
             if name not in self.taken:
                 self.take(name, result.buffers[name])
+        done = {name: self.taken[name].result() for name in result.scene.method.values if name in self.taken}
+        whole = replace(
+            result,
+            buffers={name: buffer for name, (buffer, _) in done.items()},
+            digests={name: digest for name, (_, digest) in done.items()},
+        )
+        tasks = [self.pool.submit(write, whole, self.folder) for write in (write_buffers_exr, _write_pictures)]
         for task in tasks:
             task.result()
-        hashed = replace(result, digests={name: task.result() for name, task in self.taken.items()})
-        manifest = manifest_of(hashed, self.interpreter, self.threads)
+        manifest = manifest_of(whole, self.interpreter, self.threads)
         (self.folder / FILE_NAME).write_text(manifest.model_dump_json(indent=2) + "\n", encoding="utf-8")
-        return hashed
+        return whole
 
 
 @contextmanager
@@ -68,10 +73,10 @@ def shows_all(result: Result) -> bool:
     return list(result.buffers) == ["image"]
 
 
-def _write_buffer(folder: Path, name: str, buffer: np.ndarray) -> str:
-    """Write a NPY file; the hash of the buffer."""
+def _written(folder: Path, name: str, buffer: np.ndarray) -> tuple[np.ndarray, str]:
+    """Write a NPY file; the buffer, put apart for `buffers.exr`, and its hash."""
     np.save(folder / "buffers" / f"{name}.npy", buffer.astype(buffer.dtype.newbyteorder("<"), copy=False))
-    return buffer_hash(name, buffer)
+    return plane_by_plane(buffer), buffer_hash(name, buffer)
 
 
 def write_buffers_exr(result: Result, folder: Path) -> None:

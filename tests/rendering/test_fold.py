@@ -1,4 +1,5 @@
 import hashlib
+from weakref import ref
 
 import numpy as np
 import pytest
@@ -133,11 +134,21 @@ def test_subpixel_bits_are_those_of_the_rules_unless_told(scene, everything):
         render(scene, subpixel_bits=9)
 
 
-def test_kept_buffers_are_handed_out_after_their_pass_and_once(scene):
+def test_kept_buffers_are_handed_out_after_their_pass_and_once(scene, everything):
     events = []
     with machine_of("kernel") as machine:
         result = folded(scene, machine, scene.kept("all"), events.append, lambda *named: events.append(named))
-    handed = [event for event in events if not isinstance(event, str)]
-    assert all(result[name] is buffer for name, buffer in handed)
+    handed = dict(event for event in events if not isinstance(event, str))
+    assert {name: buffer_hash(name, buffer) for name, buffer in handed.items()} == everything.hashes
+    assert list(result.buffers) == ["image"] and result.image is handed["image"]
     told = [event if isinstance(event, str) else event[0] for event in events]
     assert told == [name for each in PASSES for name in (each, *sorted(scene.method[each].outputs))]
+
+
+def test_what_is_handed_out_is_let_go_when_no_pass_reads_it_any_more(scene):
+    handed = {}
+    with machine_of("kernel") as machine:
+        result = folded(
+            scene, machine, scene.kept("all"), on_buffer=lambda name, buffer: handed.update({name: ref(buffer)})
+        )
+    assert [name for name, buffer in handed.items() if buffer() is not None] == [*result.buffers]

@@ -2,7 +2,7 @@ import numpy as np
 import OpenEXR
 
 from sss_ref.pictures.channels import channel_names
-from sss_ref.results.exr_file import write_exr
+from sss_ref.results.exr_file import _channels, plane_by_plane, write_exr
 
 KINDS = {
     "triangle": (np.int32, ()),
@@ -68,6 +68,20 @@ def test_metadata_and_the_image_first(tmp_path):
     header = parts["normal_world"][0]
     assert (header["sss_ref:version"], header["sss_ref:rules_version"]) == ("1.2", 7)
     assert header["sss_ref:unit"] == "unit vector, world space"
+
+
+def test_what_is_put_apart_before_is_written_as_it_is(tmp_path):
+    """Nothing is copied again of what EXR has a type for: all but masks."""
+    buffers = random_buffers(np.random.default_rng(5), 13, 37)
+    apart = {name: plane_by_plane(buffer) for name, buffer in buffers.items()}
+    for name, buffer in buffers.items():
+        assert apart[name].dtype == buffer.dtype and apart[name].shape == buffer.shape
+        assert apart[name].tobytes() == buffer.tobytes()
+        planes = _channels(name, apart[name]).values()
+        assert all(np.shares_memory(plane, apart[name]) for plane in planes) == (buffer.dtype != np.uint8)
+    for name, each in {"once": buffers, "apart": apart}.items():
+        write_exr(tmp_path / name, each, (13, 37), {})
+    assert (tmp_path / "once").read_bytes() == (tmp_path / "apart").read_bytes()
 
 
 def test_channel_names():
