@@ -66,7 +66,8 @@ def taken(buffer: np.ndarray, where: np.ndarray) -> np.ndarray:
 
 def value_range(buffer: np.ndarray, covered: np.ndarray) -> tuple[float, float]:
     """Least and largest value over the covered pixels; 0, 0 where there are none."""
-    return _ends(taken(buffer, np.flatnonzero(covered)))
+    ends = np.array([_ends(channel[covered]) for channel in np.moveaxis(np.atleast_3d(buffer), -1, 0)])
+    return ends[:, 0].min().item(), ends[:, 1].max().item()
 
 
 def _ends(values: np.ndarray) -> tuple[float, float]:
