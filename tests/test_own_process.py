@@ -10,17 +10,22 @@ import pytest
 import sss_ref
 
 ENVIRONMENT = {**os.environ, "PYTHONPATH": str(Path(sss_ref.__file__).parents[1])}
+ENVIRONMENT.pop("OPENBLAS_NUM_THREADS", None)
 
 RUN = """
-import gc, sys
+import gc, os, sys
 from sss_ref.cli.own_process import NEW_OBJECTS, run
 sys.argv = ["sss-ref", *{arguments}]
 try:
     run()
 except SystemExit as left:
     assert gc.get_threshold()[0] == NEW_OBJECTS and gc.get_freeze_count()
+    print(os.environ["OPENBLAS_NUM_THREADS"])
     sys.exit(left.code)
 """
+
+
+THREE = 'import os; os.environ["OPENBLAS_NUM_THREADS"] = "3"'
 
 
 def of_new_process(program, folder=None):
@@ -31,6 +36,11 @@ def of_new_process(program, folder=None):
 def test_the_exit_code_is_that_of_the_command_line():
     assert of_new_process(RUN.format(arguments=["scenes"])).returncode == 0
     assert of_new_process(RUN.format(arguments=["info", "nowhere.toml"])).returncode == 2
+
+
+@pytest.mark.parametrize(("before", "threads"), [("", "1"), (THREE, "3")])
+def test_numpy_has_one_thread_unless_asked_for_more(before, threads):
+    assert of_new_process(before + RUN.format(arguments=["--version"])).stdout.split()[-1] == threads
 
 
 LOADED = """

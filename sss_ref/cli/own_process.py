@@ -1,6 +1,7 @@
 """`sss-ref` as a process of its own, whose interpreter may be set up for a short run."""
 
 import gc
+import os
 import sys
 from typing import NoReturn
 
@@ -10,6 +11,7 @@ NEW_OBJECTS = 300_000  # after which rubbish is looked for: a rendering is over 
 def run() -> NoReturn:
     """Run the command line and end the process with its exit code."""
     gc.set_threshold(NEW_OBJECTS)
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # or NumPy starts threads when it is loaded, used by nothing
     from sss_ref.cache.left_out import leave_out
     from sss_ref.cli import main
 
