@@ -87,12 +87,12 @@ def folded(
             on_pass(this_pass.name)
         start, needed = time.perf_counter(), kept | read_later
         sketch = draw(scene, this_pass, buffers, machine, foresight.mesh(this_pass, buffers))
-        written = sketch.written | shaded(scene, this_pass, sketch, buffers, needed, machine)
+        buffers = buffers | sketch.written | shaded(scene, this_pass, sketch, buffers, needed, machine)
         if on_buffer:
-            for name in sorted(kept & set(written)):
-                on_buffer(name, written[name])
+            for name in sorted(kept & set(this_pass.values)):
+                on_buffer(name, buffers[name])
         held = read_later | kept & {"image"} if on_buffer else needed
-        buffers = {name: buffer for name, buffer in (buffers | written).items() if name in held}
+        buffers = {name: buffer for name, buffer in buffers.items() if name in held}
         notes += sketch.notes
         unshown += nothing_drawn(scene, this_pass, sketch)
         timings[this_pass.name] = time.perf_counter() - start
