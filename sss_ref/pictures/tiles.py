@@ -17,6 +17,8 @@ RAMP = np.stack(
 
 BRIGHTENED = np.linspace(60, 255, 256).astype(np.uint8)
 
+ROWS = 64  # whose values are taken at a time: a copy so small needs no new memory
+
 
 def picture(
     name: str,
@@ -66,8 +68,14 @@ def taken(buffer: np.ndarray, where: np.ndarray) -> np.ndarray:
 
 def value_range(buffer: np.ndarray, covered: np.ndarray) -> tuple[float, float]:
     """Least and largest value over the covered pixels; 0, 0 where there are none."""
-    ends = np.array([_ends(channel[covered]) for channel in np.moveaxis(np.atleast_3d(buffer), -1, 0)])
-    return ends[:, 0].min().item(), ends[:, 1].max().item()
+    channels = np.moveaxis(np.atleast_3d(buffer), -1, 0)
+    parts = (
+        channel[row : row + ROWS][covered[row : row + ROWS]]
+        for channel in channels
+        for row in range(0, len(covered), ROWS)
+    )
+    ends = np.array([(each.min(), each.max()) for each in parts if each.size])
+    return (ends[:, 0].min().item(), ends[:, 1].max().item()) if len(ends) else (0, 0)
 
 
 def _ends(values: np.ndarray) -> tuple[float, float]:
