@@ -53,7 +53,7 @@ def _other_background(scene: Scene) -> Iterator[str]:
     """A background that sets off the mesh, where the image has one at all."""
     if not scene.settings.glows:
         settings = scene.settings
-        yield f"output.background = {BLACK if max(settings.output.background) > max(GREY) else GREY}"
+        yield f"output.background = {BLACK if max(settings.output.background) >= max(GREY) else GREY}"
 
 
 def _other_light(scene: Scene, brightest: float) -> Iterator[str]:

@@ -1,11 +1,13 @@
 """What is kept of files: as much as was asked for, and only while they hold the same."""
 
+import hashlib
 import os
 
 import numpy as np
 import pytest
 
-from sss_ref.cache.recent import Recent, of_unchanged_file
+from sss_ref.cache import recent as kept_recently
+from sss_ref.cache.recent import Recent, file_hash, of_unchanged_file
 
 
 def test_the_longest_unused_goes_first():
@@ -57,3 +59,39 @@ def test_a_read_that_fails_is_not_kept(tmp_path):
         with pytest.raises(ValueError):
             read(path)
     assert len(reads) == 4
+
+
+def test_as_much_as_was_asked_for_is_kept():
+    recent = Recent(6)
+    for key in "ab":
+        recent.keep(key, key, 3)
+    assert [recent.get(key) for key in "ab"] == ["a", "b"]
+    recent.keep("c", "c", 1)
+    assert [recent.get(key) for key in "abc"] == [None, "b", "c"]
+    assert Recent()._limit == 2**28
+
+
+def test_a_file_of_another_ending_or_that_changes_while_it_is_read_is_not_given_again(tmp_path):
+    reads = []
+
+    @of_unchanged_file
+    def read(path):
+        reads.append(path.name)
+        if path.name == "b.bin":
+            path.write_bytes(b"%d" % len(reads))
+        return np.zeros(2)
+
+    for name in ("a.bin", "a.txt", "b.bin"):
+        (tmp_path / name).write_bytes(name[:1].encode())
+    for name in ("a.bin", "a.txt", "a.bin", "b.bin", "b.bin"):
+        read(tmp_path / name)
+    assert reads == ["a.bin", "a.txt", "b.bin", "b.bin"]
+
+
+def test_a_hash_is_of_a_regular_file_that_is_not_too_large(tmp_path, monkeypatch):
+    path = tmp_path / "a"
+    path.write_bytes(b"four")
+    monkeypatch.setattr(kept_recently, "LIMIT", 4)
+    assert file_hash(path) == hashlib.sha256(b"four").hexdigest()
+    monkeypatch.setattr(kept_recently, "LIMIT", 3)
+    assert file_hash(path) is file_hash(tmp_path) is file_hash(tmp_path / "b") is None

@@ -5,7 +5,7 @@ import pytest
 from PIL import Image
 from scenes import around, cube, written
 
-from sss_ref.rendering.cut_off import cut_off
+from sss_ref.rendering.cut_off import cut_off, too_bright
 from sss_ref.rendering.fold import render
 from sss_ref.scene import load_scene
 from sss_ref.scene_file.settings import Output
@@ -57,3 +57,48 @@ def test_no_buffer_depends_on_the_exposure(tmp_path):
     files = [result.save(tmp_path / name) / "image.png" for name, result in (("dark", dark), ("bright", bright))]
     codes = [np.asarray(Image.open(file)) for file in files]
     assert (codes[0] < codes[1]).any() and not (codes[0] > codes[1]).any()
+
+
+def test_a_pixel_like_the_background_in_two_channels_is_none():
+    """Of four, two are background and one of the others is too bright."""
+    background = (0.25, 0.5, 0.75)
+    image = np.array([[background, background], [(2.0, 0.5, 0.75), (0.25, 0.5, 0.5)]], np.float32)
+    (note,) = cut_off(Output(background=background), image)
+    assert note.startswith("image: 50.0% of its pixels are brighter") and note.endswith("exposure = -1")
+    image[1, 0] = 0.25, 2.0, 0.75
+    (note,) = cut_off(Output(background=background), image)
+    assert note.startswith("image: 50.0% of its pixels are brighter")
+
+
+def test_one_percent_may_stay_white_with_the_exposure_it_names():
+    """Of 9, 5 and 3 the first may: 2^2.4 is 5.3."""
+    image = picture(3, 9.0)
+    image[0, 1, 0], image[0, 2, 2] = 5.0, 3.0
+    image[0, 1:3, 1] = 0.5
+    (note,) = cut_off(Output(), image)
+    assert note == (
+        "image: 3.0% of its pixels are brighter than the picture can show and are cut off; set output.exposure = -2.4"
+    )
+
+
+def test_what_the_exposure_makes_too_bright():
+    """Of one stop all above a half is; to show 0.75 takes 0.4."""
+    assert [*cut_off(Output(exposure=1.0), picture(50, 0.5))] == []
+    (note,) = cut_off(Output(exposure=1.0), picture(50, 0.75))
+    assert note.startswith("image: 50.0% of its pixels") and note.endswith("; set output.exposure = 0.4")
+
+
+@pytest.mark.parametrize(
+    ("value", "told"), [(2.0**20, "set output.exposure = -20"), (1.001 * 2**20, "make the lights")]
+)
+def test_the_longest_exposure_that_can_be_set(value, told):
+    (note,) = cut_off(Output(), picture(50, value))
+    assert f"; {told}" in note
+
+
+@pytest.mark.parametrize("shape", [(2, 5), (5, 2)])
+def test_every_pixel_is_counted(shape):
+    shown, brighter = too_bright(np.full((*shape, 3), 2, np.float32), np.zeros(3, np.float32), np.float32(1))
+    assert (shown, brighter.tolist()) == (10, [2] * 10)
+    shown, brighter = too_bright(np.full((*shape, 3), 2, np.float32), np.zeros(3, np.float32), np.float32(2))
+    assert (shown, brighter.tolist()) == (10, [])

@@ -1,4 +1,5 @@
 import hashlib
+import time
 from weakref import ref
 
 import numpy as np
@@ -152,3 +153,23 @@ def test_what_is_handed_out_is_let_go_when_no_pass_reads_it_any_more(scene):
             scene, machine, scene.kept("all"), on_buffer=lambda name, buffer: handed.update({name: ref(buffer)})
         )
     assert [name for name, buffer in handed.items() if buffer() is not None] == [*result.buffers]
+
+
+@pytest.mark.parametrize(("threads", "processors", "count"), [(1, 8, 1), (2, 8, 2), (None, 3, 3), (None, None, 1)])
+def test_as_many_threads_as_are_asked_for_or_as_there_are_processors(monkeypatch, threads, processors, count):
+    """One does it all itself."""
+    monkeypatch.setattr("os.cpu_count", lambda: processors)
+    with machine_of("kernel", threads) as machine:
+        assert (machine.pool.count if machine.pool else 1) == count and machine.stops
+
+
+def test_a_pass_takes_as_long_as_the_clock_says(scene):
+    before = time.perf_counter()
+    timings = render(scene).timings
+    assert 0 < sum(timings.values()) <= time.perf_counter() - before
+
+
+def test_what_is_drawn_by_itself_is_told_once_the_image_is_kept(scene):
+    glaring = {"phong.ambient": 1e6}
+    bright = load_scene(scene.settings.model_dump(exclude_none=True), **glaring)
+    assert len(render(bright, keep="final").notes) == 1 and render(bright, keep=["lit", "coverage"]).notes == ()

@@ -11,8 +11,9 @@ from PIL import Image
 from sss_ref.cache.spare_memory import SPARE
 from sss_ref.errors import SceneError
 from sss_ref.language.layout import CHANNELS, dtype_of
+from sss_ref.rendering import memory
 from sss_ref.rendering.fold import render
-from sss_ref.rendering.memory import bytes_at_once, check_memory
+from sss_ref.rendering.memory import bytes_at_once, check_memory, scene_bytes
 from sss_ref.rendering.samples import render_samples
 from sss_ref.scene import load_scene
 from sss_ref.scene_file import color_texture as textures
@@ -146,3 +147,26 @@ def test_pictures_count_beside_buffers(small, tmp_path):
     scene = load_scene(small, **{"camera.width": 5397, "camera.height": 5397})
     with pytest.raises(SceneError, match="camera"):
         check_memory(scene, scene.kept("all"))
+
+
+@pytest.mark.parametrize(
+    ("kept", "lights", "remedy"),
+    [
+        ({"image"}, 1, "make width and height smaller"),
+        ({"image", "coverage"}, 1, "make width and height smaller"),
+        ({"image", "lit"}, 1, 'make width and height smaller, or keep the "final" image alone'),
+        ({"image"}, 2, "make width and height smaller or use fewer lights"),
+    ],
+)
+def test_the_limit_itself_is_not_too_much(small, monkeypatch, kept, lights, remedy):
+    """Beside the buffers there are 12 bytes, of the mesh's one colour."""
+    scene = load_scene(small, **{"shadow_map.width": 64, "lights": LIGHTS[:lights]})
+    needed = 12 + max(scene_bytes(scene, each).total() for each in bytes_at_once(scene.method, kept))
+    monkeypatch.setattr(memory, "MEMORY_LIMIT", needed)
+    check_memory(scene, kept)
+    with pytest.raises(SceneError):
+        check_memory(scene, kept, 1)
+    monkeypatch.setattr(memory, "MEMORY_LIMIT", needed - 1)
+    with pytest.raises(SceneError) as error:
+        check_memory(scene, kept)
+    assert str(error.value).endswith(f"of them here; {remedy}")
