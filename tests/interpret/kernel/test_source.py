@@ -3,15 +3,33 @@
 import os
 import subprocess
 import sys
+from pathlib import Path
+from typing import NamedTuple
 
 import pytest
 
 from sss_ref.interpret.kernel.source import StageSource
 from sss_ref.interpret.kernel.stage_rows import StageCall
+from sss_ref.language import (
+    Array,
+    Texture,
+    exp2,
+    float32,
+    ivec2,
+    mat3,
+    max,
+    pow,
+    select,
+    stage,
+    texel_clamped,
+    vec2,
+    vec3,
+)
 from sss_ref.methods.stages import all_stages
 from sss_ref.passes import blur, phong, shadow_map, translucency
 
 STAGES = all_stages()
+MODULES = Path(__file__).parent / "modules"
 PRINT_SOURCES = """
 import hashlib
 from sss_ref.interpret.kernel.source import StageSource
@@ -103,3 +121,70 @@ def test_float_literals_are_float32_constants():
     assert "F_0_5 = np.float32(0.5)" in text
     body = text.split("\ndef ")[1]
     assert "F_0_5" in body and " 0.5" not in body
+
+
+class Shown(NamedTuple):
+    """What both examples write."""
+
+    sums: vec2
+    power: float
+    lit: bool
+    base: float
+
+
+@stage(source="a test")
+def by_turns(
+    picture: Texture[vec2],
+    weights: Array[float],
+    count: int,
+    exponent: float,
+    pixel: ivec2,
+    value: float,
+    flag: bool,
+) -> Shown:
+    """A loop that has as many turns for all fragments; a power of a fragment, and one of a uniform."""
+    sums = vec2(0.0, value)
+    for tap in range(0, count):
+        sums = sums + texel_clamped(picture, pixel + ivec2(tap, -1)) * weights[tap]
+    power = pow(value, exponent) * exp2(exponent)
+    return Shown(sums, power, flag & (power < 0.5), value)
+
+
+@stage(source="a test")
+def by_fragments(
+    flags: Texture[bool], turned: mat3, always: bool, number: int, place: ivec2, direction: vec3, base: float
+) -> Shown:
+    """A loop that has as many turns as a fragment says, with a power inside; a matrix, a choice, whole numbers."""
+    total = 0.25
+    for turn in range(1, number + 2):
+        total = total + pow(base, float32(turn))
+    found = turned * -direction
+    lit = texel_clamped(flags, place) & always
+    return Shown(vec2(max(found.x, 0.0), found.z), select(lit, total, found.y), lit, base)
+
+
+@pytest.mark.parametrize(
+    ("example", "uniform", "calls", "rows"),
+    [
+        (
+            by_turns,
+            {"count", "exponent"},
+            [
+                StageCall("by_turns_0"),
+                StageCall("by_turns_1"),
+                StageCall("pow", (10, 11, 12), elementary=True),
+                StageCall("exp2", (9, 13), elementary=True, single=True),
+                StageCall("by_turns_2"),
+            ],
+            (4, 5, 14),
+        ),
+        (by_fragments, {"turned", "always"}, [StageCall("by_fragments_0")], (7, 5, 12)),
+    ],
+    ids=["by_turns", "by_fragments"],
+)
+def test_the_module_of_an_example(example, uniform, calls, rows):
+    """All that is written, for many ways of writing it give the same bits and differ in the time they take."""
+    source = StageSource(example, uniform)
+    assert source.text == (MODULES / f"{example.name}.txt").read_text()
+    assert source.calls == calls
+    assert (source.rows.inputs, source.rows.outputs, len(source.rows.rows)) == rows
