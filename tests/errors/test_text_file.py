@@ -31,7 +31,7 @@ def test_a_pipe_and_a_device_are_refused_before_they_are_opened(tmp_path, read, 
         (b"a =", "expected valid TOML, got none at end of document; correct that place"),
         (b"a = " + b"9" * 5000, "expected valid TOML, got a date or number out of range; correct it"),
         (b"\xff", "in UTF-8, got a byte that is no UTF-8 at byte 0; save it as UTF-8"),
-        (b"#" * (BYTE_LIMIT + 1), f"of at most {BYTE_LIMIT} bytes, got {BYTE_LIMIT + 1} bytes; check the path"),
+        (b"#" * (BYTE_LIMIT + 1), "of at most 1048576 bytes, got 1048577 bytes; check the path"),
     ],
 )
 def test_a_text_that_is_none(tmp_path, read, error, data, came):
@@ -42,6 +42,8 @@ def test_a_text_that_is_none(tmp_path, read, error, data, came):
 
 
 def test_a_text_comes_through(tmp_path):
+    (tmp_path / "long").write_bytes(b"#" * BYTE_LIMIT)
+    assert len(text_of(tmp_path / "long", "a text", DumpError)) == BYTE_LIMIT
     (tmp_path / "x").write_text("é" * 10, encoding="utf-8")
     assert text_of(tmp_path / "x", "a text", DumpError) == "é" * 10
     with pytest.raises(DumpError, match="expected a text, got No such file or directory; check the path"):

@@ -54,6 +54,23 @@ def test_rows_are_what_numpy_makes_of_them(monkeypatch: pytest.MonkeyPatch, kind
             same(fast[name], operation())
 
 
+ORDINARY = (0.0, -0.0, 1.0, -(2.0**-126), 2.0**-126, float(np.finfo(np.float32).max))
+STRANGE = (2.0**-127, -(2.0**-149), 3.5e38, -1e300, np.inf, np.nan)
+
+
+@pytest.mark.parametrize("value", ORDINARY + STRANGE)
+def test_one_strange_number_in_a_row_is_told(value: float):
+    """A row whose ends are all ordinary is what an interval keeps; any other goes through NumPy."""
+    row, bounds = np.ones(300), (2.0**-126, float(np.finfo(np.float32).max))
+    row[150] = value
+    zeros = np.zeros_like(row)
+    assert outward.are_ordinary(row, *bounds) == (value in ORDINARY)
+    for ends in (outward.rounded_down, outward.rounded_up):
+        assert ends(row, *bounds)[1] == (value in ORDINARY)
+    for ends in (outward.lows, outward.highs, outward.sums_down, outward.sums_up):
+        assert ends(row, zeros, *bounds)[1] == (value in ORDINARY)
+
+
 def test_few_elements_other_types_and_scalars_are_no_rows():
     row = np.zeros(outward.LEAST)
     assert outward.rows_of(row[1:]) is None and outward.rows_of(np.float64(1), np.float64(2)) is None

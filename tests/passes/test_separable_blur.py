@@ -32,6 +32,14 @@ def test_scatter_along():
     assert call(scatter_along, pixels_per_offset=1, **bare) == ((2, 2, 2),)
 
 
+def test_between_four_pixels():
+    """Half-way to the neighbour on the diagonal: a quarter of each of four."""
+    lit = np.repeat(np.float32([[8, 4], [2, 6]])[..., None], 3, axis=2)
+    square = {"lit": lit, "position_world": np.zeros((2, 2, 3), np.float32), "coverage": np.ones((2, 2), np.uint8)}
+    kernel = {"kernel_offset": np.float32([[0.5, 0.5]]), "kernel_weight": np.float32([[1, 1, 1]]), "kernel_count": 1}
+    assert call(scatter_along, pixels_per_offset=1, **{**ROW, **square, **kernel, "pixel": (0, 0)}) == ((5, 5, 5),)
+
+
 def test_the_other_axis():
     upright = {name: np.swapaxes(ROW[name], 0, 1) for name in ("lit", "position_world", "coverage")}
     column = {**ROW, **upright, "pixel": (0, 1), "kernel_offset": ROW["kernel_offset"][:, ::-1]}

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from one_stage import call
 
+from sss_ref.language import mat4
 from sss_ref.passes.soft_shadow import (
     gloss_soft,
     irradiance_lambert_soft,
@@ -11,6 +12,7 @@ from sss_ref.passes.soft_shadow import (
     lit_multiply_soft,
     lit_transmit_soft,
     lit_transmit_wrapped_soft,
+    map_direction,
 )
 
 # The map's four texels in a row cover x from -1 to 1, half a unit each. The point lies at the start of the third; its
@@ -60,6 +62,12 @@ def test_the_kernel_lies_on_the_surface_in_texels_of_the_map():
     assert visible((4, 3), kernel_scale=2.001) == ((1, 1, 1),)
     # On a surface inclined by atan(3/4) it lies at x = .4, still in the third texel, and farther from the light.
     assert visible((3, 9), normal_world=(0.6, 0, 0.8), bias_abs=0) == ((0, 0, 1),)
+
+
+def test_the_rows_of_a_map_run_along_the_first_three_numbers_of_its_first_row():
+    """Where the light stands is in the fourth."""
+    numbers = [(1, 2, 3, 4), (5, 6, 7, 8), (9, 10, 11, 12), (13, 14, 15, 16)]
+    assert tuple(map_direction(mat4(numbers))) == (1, 2, 3)
 
 
 def test_lit_multiply_soft():

@@ -48,9 +48,9 @@ def test_layout_vertex(uv, flat):
     ) == ((*flat, 0, 1), (12, 24, 36), (3, 6, 9), uv)
 
 
-@pytest.mark.parametrize("handedness", [1, -1])
+@pytest.mark.parametrize("handedness", [1, -1, 0.5])
 def test_tangent_vertex(handedness):
-    # As above; the tangent is not moved, and turned over in a mirror.
+    # As above; the tangent is not moved, and its fourth component is a product: turned over in a mirror.
     *seen, tangent = call(
         tangent_vertex,
         position=(1, 2, 3),
@@ -75,8 +75,8 @@ def test_tangent_layout_vertex():
         tangent=(0, 1, 3, -1),
         world_from_model=[[2, 0, 0, 10], [0, 2, 0, 20], [0, 0, 2, 30], [0, 0, 0, 1]],
         normal_from_model=[[1, 2, 3], [4, 5, 6], [7, 8, 9]],
-        handedness=-1,
-    ) == ((0, 0.5, 0, 1), (12, 24, 36), (3, 6, 9), (0.5, 0.75), (0, 2, 6, 1))
+        handedness=-0.5,
+    ) == ((0, 0.5, 0, 1), (12, 24, 36), (3, 6, 9), (0.5, 0.75), (0, 2, 6, 0.5))
 
 
 def random_mesh(seed):

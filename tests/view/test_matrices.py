@@ -64,6 +64,8 @@ def test_up_holds_until_the_cosine_is_9999():
 
     assert upright(0.0142)[2] == 0
     assert upright(0.0141)[2] == 1
+    across = (1 - 0.9999**2) ** 0.5
+    assert look_at(vector(across, -0.9999, 0), vector(0, 0, 0), vector(0, 1, 0))[1, 2] == 0  # the bound itself
 
 
 def test_no_up_is_left_along_z():
@@ -81,6 +83,17 @@ def test_perspective_by_hand():
     # tan 45 = 1; aspect 2; near 1, far 3: z = (-2 z - 3), w = -z.
     expected = [[0.5, 0, 0, 0], [0, 1, 0, 0], [0, 0, -2, -3], [0, 0, -1, 0]]
     assert np.array_equal(perspective(90, 2, 1, 3), expected)
+
+
+def test_a_narrow_perspective():
+    """Tan 30 = 1 / sqrt 3: what lies at that angle comes to the upper edge."""
+    matrix = perspective(60, 2, 1, 3)
+    assert (matrix[0, 0], matrix[1, 1]) == pytest.approx((3**0.5 / 2, 3**0.5), rel=1e-15)
+
+
+def test_a_placement_is_a_matrix_of_four_rows():
+    expected = [[2, 0, 0, 5], [0, 3, 0, 6], [0, 0, 4, 7], [0, 0, 0, 1]]
+    assert np.array_equal(placement((2, 3, 4), (0, 0, 0), (5, 6, 7)), expected)
 
 
 def test_normal_matrix_is_the_inverse_transpose():

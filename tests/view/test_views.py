@@ -29,6 +29,14 @@ def test_free_camera_looks_like_the_orbit_camera_of_the_same_angles():
     assert np.array_equal(orbit.view, free.view)
 
 
+def test_a_view_looks_from_its_eye_to_its_target():
+    camera = camera_view(LookAtCamera(type="look_at", eye=(3, 2, 0), target=(0, 2, 0)))
+    assert camera.direction.tolist() == [-1, 0, 0]
+    for each in (OrbitCamera(type="orbit", distance=2), FreeCamera(type="free", position=(0, 0, 2))):
+        assert camera_view(each).direction.tolist() == [0, 0, -1]
+        assert camera_view(each).up.tolist() == [0, 1, 0]
+
+
 def test_clip_matrix_is_the_product_rounded_once():
     camera = LookAtCamera(type="look_at", eye=(3, 2, 0), target=(0, 2, 0), fov_y=90, near=1, far=3, width=4, height=2)
     world_from_model = np.diag([1.0, 1.0, 1.0, 1.0])
