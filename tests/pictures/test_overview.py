@@ -1,5 +1,6 @@
 import numpy as np
 import pytest
+from noted_sheet import noted
 from PIL import Image
 
 from sss_ref.pictures import overview, tiles
@@ -9,6 +10,7 @@ from sss_ref.scene.load import load_scene
 
 ALL = np.ones((2, 2), bool)
 GROUND = list(tiles.GROUND)
+BRIGHT, SOFT, FAINT = (238, 240, 244), (158, 164, 176), (104, 110, 122)
 
 
 def test_colours_are_encoded_where_covered():
@@ -105,3 +107,80 @@ def test_any_choice_of_buffers_has_a_sheet(scene_file, tmp_path, keep):
     result = render(load_scene(scene_file), interpreter="arrays", keep=keep)
     sheet = sheet_of(result, tmp_path / "x.png")
     assert sheet.shape[1] == 2 * overview.MARGIN + len(keep) * (overview.TILE + overview.GAP) - overview.GAP
+
+
+SHEET = [  # five buffers in rows of four: where each word, line and picture goes, in pixels from the upper left corner
+    ("text", (36, 26), "small", BRIGHT, 40),
+    ("text", (160.0, 26), "screen space, preset paper, 48 x 32", SOFT, 20),
+    ("text", (160.0, 51), "mesh tetrahedron.obj, shadow map 64 x 64, rules 2", FAINT, 17),
+    ("box", (36, 132, 355, 134), (233, 174, 84)),
+    ("text", (36, 104), "shadow_map", (233, 174, 84), 20),
+    ("paste", (89, 142), (213, 213)),  # as high as the frame, and in its middle
+    ("text", (36, 363), "light_distance", BRIGHT, 23),
+    ("text", (36, 393), "4.691", SOFT, 18),
+    ("paste", (91, 398), (72, 12)),  # the ramp, between both numbers
+    ("text", (173, 393), "10.93", SOFT, 18),
+    ("text", (36, 417), "scene units from the light", FAINT, 16),
+    ("box", (376, 132, 695, 134), (92, 178, 224)),
+    ("text", (376, 104), "camera", (92, 178, 224), 20),
+    ("paste", (376, 142), (320, 213)),
+    ("text", (376, 363), "triangle", BRIGHT, 23),
+    ("text", (376, 393), "3 to 3", SOFT, 18),
+    ("text", (376, 417), "triangle index in scene order", FAINT, 16),
+    ("box", (696, 132, 1035, 134), (92, 178, 224)),  # joined to the one on its left
+    ("paste", (716, 142), (320, 213)),
+    ("text", (716, 363), "coverage", BRIGHT, 23),
+    ("text", (716, 393), "1 to 1", SOFT, 18),
+    ("text", (716, 417), "1 where the model is drawn", FAINT, 16),
+    ("box", (1036, 132, 1375, 134), (92, 178, 224)),
+    ("paste", (1056, 142), (320, 213)),
+    ("text", (1056, 363), "thickness", BRIGHT, 23),
+    ("text", (1056, 393), "0", SOFT, 18),
+    ("paste", (1075, 398), (72, 12)),
+    ("text", (1157, 393), "0.006731", SOFT, 18),
+    ("text", (1056, 417), "scene units along the light's ray", FAINT, 16),
+    ("box", (36, 487, 355, 489), (182, 146, 226)),
+    ("text", (36, 459), "composite", (182, 146, 226), 20),
+    ("paste", (36, 497), (320, 213)),
+    ("text", (36, 718), "image", BRIGHT, 23),
+    ("text", (36, 748), "0 to 0.8371", SOFT, 18),
+    ("text", (36, 772), "linear RGB", FAINT, 16),
+]
+
+
+def test_everything_has_its_place_on_the_sheet(scene_file, tmp_path, monkeypatch):
+    kept = ["light_distance", "coverage", "thickness", "image", "triangle"]
+    result = render(load_scene(scene_file), interpreter="arrays", keep=kept)
+    notes = noted(monkeypatch)
+    assert sheet_of(result, tmp_path / "x.png").shape == (832, 1412, 3)
+    assert notes == SHEET
+
+
+@pytest.mark.parametrize(("height", "frame"), [(40, 400), (2, 160), (20, 400), (17, 340)])
+def test_frames_are_neither_very_high_nor_very_low(scene_file, tmp_path, height, frame):
+    """Half as high as wide at least, and a quarter higher than wide at most."""
+    changes = {"camera.width": 16, "camera.height": height}
+    result = render(load_scene(scene_file, **changes), interpreter="arrays", keep=["image"])
+    assert sheet_of(result, tmp_path / "x.png").shape == (104 + 38 + frame + 104 + 18, 36 + 320 + 36, 3)
+
+
+def tile_of(name, buffer):
+    return overview.Tile(name, buffer, np.ones(buffer.shape[:2], bool), "camera", (1, 2, 3), True, srgb8)
+
+
+def test_of_a_large_buffer_one_and_a_half_values_are_averaged_to_a_pixel():
+    """Three times as large as its frame: every other row and column, where this one is 0 everywhere."""
+    buffer = np.ones((639, 960), np.uint8)
+    buffer[::2, ::2] = 0
+    sheet = Image.new("RGB", (330, 220))
+    overview._draw_picture(sheet, tile_of("coverage", buffer), (5, 4), (320, 213))
+    shown = np.array(sheet)
+    assert (shown[4:217, 5:325] == GROUND).all()
+    assert not shown[:4].any() and not shown[217:].any() and not shown[:, :5].any() and not shown[:, 325:].any()
+
+
+def test_a_long_unit_is_written_smaller(monkeypatch):
+    """Its 55 letters are 302 pixels wide at size 11, at size 12 wider than the tile."""
+    notes = noted(monkeypatch)
+    overview._draw_caption(Image.new("RGB", (9, 9)), tile_of("light_visible", np.ones((2, 2, 3), np.float32)), (10, 20))
+    assert notes[-1] == ("text", (10, 82), "share, 0 to 1, of the surface around that sees the light", FAINT, 11)

@@ -1,6 +1,9 @@
+from pathlib import Path
+
 import imageio.v3 as imageio
 import numpy as np
 import pytest
+from noted_sheet import noted
 
 from sss_ref.errors import DumpError
 from sss_ref.results import diff_picture
@@ -97,3 +100,48 @@ def test_where_a_picture_cannot_be(tmp_path):
     with pytest.raises(DumpError, match=r"expected an existing folder, got .*nowhere; create it first"):
         checked_picture_file(tmp_path / "nowhere" / "x.png")
     assert checked_picture_file(tmp_path / "x.PNG") == tmp_path / "x.PNG"
+
+
+BRIGHT, SOFT, FAINT = (238, 240, 244), (158, 164, 176), (104, 110, 122)
+SHEET = [  # a buffer of 3 x 2 pixels, each shown as 160 x 160; from the upper left corner
+    *(("paste", (left, 84), (480, 320)) for left in (36, 540, 1044)),
+    ("text", (36, 24), "depth", BRIGHT, 34),
+    ("text", (36, 416), "A: a", SOFT, 18),
+    ("text", (540, 416), f"B: ...{'b' * 47}", SOFT, 18),  # 53 letters of 9 pixels, with the end of the path
+    ("text", (1044, 58), "units in the last place, the channel furthest apart", FAINT, 16),
+    ("box", (1044, 419, 1057, 432), (38, 41, 49), FAINT),
+    ("text", (1064, 416), "0: 4", SOFT, 15),
+    ("box", (1164, 419, 1177, 432), (57, 84, 158), FAINT),
+    ("text", (1184, 416), "1: 1", SOFT, 15),
+    ("box", (1284, 419, 1297, 432), (33, 138, 148), FAINT),
+    ("text", (1304, 416), "2-3: 0", SOFT, 15),
+    ("box", (1404, 419, 1417, 432), (84, 188, 110), FAINT),
+    ("text", (1424, 416), "4-15: 0", SOFT, 15),
+    ("box", (1044, 443, 1057, 456), (240, 200, 70), FAINT),
+    ("text", (1064, 440), "16-255: 0", SOFT, 15),
+    ("box", (1164, 443, 1177, 456), (236, 110, 60), FAINT),
+    ("text", (1184, 440), "more: 1", SOFT, 15),
+    ("box", (1284, 443, 1297, 456), (232, 60, 130), FAINT),
+    ("text", (1304, 440), "sign, NaN: 0", SOFT, 15),
+    *(("circle", (left + 240, 324), 14, BRIGHT, 2) for left in (36, 540, 1044)),  # the lower row's middle pixel
+]
+
+
+def test_everything_has_its_place_on_the_picture(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    folders = Path("a"), Path("b" * 60)
+    depth = np.full((2, 3), 0.5, np.float32)
+    other = depth.copy()
+    other[0, 1], other[1, 2] = np.nextafter(np.float32(0.5), np.float32(1)), 0.75
+    for folder, buffer in zip(folders, (depth, other), strict=True):
+        folder.mkdir()
+        np.save(folder / "depth.npy", buffer)
+    notes = noted(monkeypatch)
+    write_diff_picture(Path("x.png"), "depth", *folders)
+    assert notes == SHEET
+    shown = imageio.imread("x.png")
+    assert shown.shape == (480, 1560, 3)
+    assert [shown[row, column].tolist() for row, column in ((300, 1284), (100, 1444))] == [
+        [57, 84, 158],
+        [236, 110, 60],
+    ]
