@@ -2,11 +2,14 @@
 
 import base64
 import io
+from pathlib import Path
 
 import numpy as np
 import pytest
+from drawn_figure import told
 from matplotlib import pyplot
 from PIL import Image
+from small_figures import FIGURES, figure_of
 
 from sss_ref.course import figures
 
@@ -63,3 +66,24 @@ def test_row_0_is_at_the_bottom():
     figures.picture(axes, image, "")
     figure.canvas.draw()
     assert axes.transData.transform((0, 1))[1] > axes.transData.transform((0, 0))[1]
+
+
+DRAWN = (Path(__file__).with_name("figures.txt")).read_text(encoding="utf-8").split("\n\n")
+
+
+@pytest.mark.parametrize(("name", "expected"), [*zip(FIGURES, DRAWN, strict=True)], ids=FIGURES)
+def test_every_kind_of_figure_has_its_lines_and_colours(name, expected):
+    """What is on each was looked at; where a figure is meant to change, tests/support/small_figures.py says how."""
+    assert "\n".join([f"[{name}]", *told(figure_of(name))]) == expected.strip()
+
+
+def test_titles_are_a_little_larger_than_what_is_written():
+    assert (pyplot.rcParams["axes.titlesize"], pyplot.rcParams["font.size"]) == (10.5, 10)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "step"), [(0.0, 1.0, 0.01), (0.0, 0.99, 0.001), (-100.0, 150.0, 1.0), (1.0, 11.0, 0.1)]
+)
+def test_a_slider_has_a_hundred_steps_or_more_of_a_power_of_ten(low, high, step):
+    control = figures.Sliders(lambda level: figures.row(1)[0], level=(low, low, high)).controls["level"]
+    assert (control.min, control.max, control.step) == (low, high, pytest.approx(step))

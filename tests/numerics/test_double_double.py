@@ -81,6 +81,16 @@ def test_rounding_to_float32_is_single():
             assert dd_to_float32(pair) == wanted
 
 
+@pytest.mark.parametrize(
+    ("steps", "tail", "rounded"), [(1, 1, 2), (1, -1, 0), (1, 0, 0), (3, 0, 4), (3, -1, 2), (3, 1, 4), (2, -1, 2)]
+)
+def test_on_a_midpoint_the_tail_decides_and_without_one_the_even_neighbour(steps, tail, rounded):
+    """In steps of 2^-24 above 1, of which float32 has every other one; a tail is far smaller."""
+    pair = np.float64(1 + steps * 2.0**-24), np.float64(tail * 2.0**-80)
+    assert dd_to_float32(pair) == 1 + rounded * 2.0**-24
+    assert dd_to_float32((-pair[0], -pair[1])) == -1 - rounded * 2.0**-24
+
+
 @pytest.mark.filterwarnings("ignore:overflow encountered in cast")
 def test_rounding_across_the_greatest_float32():
     greatest = float(np.finfo(np.float32).max)
