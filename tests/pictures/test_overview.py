@@ -109,16 +109,16 @@ def test_any_choice_of_buffers_has_a_sheet(scene_file, tmp_path, keep):
     assert sheet.shape[1] == 2 * overview.MARGIN + len(keep) * (overview.TILE + overview.GAP) - overview.GAP
 
 
-SHEET = [  # five buffers in rows of four: where each word, line and picture goes, in pixels from the upper left corner
+SHEET = [  # six buffers in rows of four: where each word, line and picture goes, in pixels from the upper left corner
     ("text", (36, 26), "small", BRIGHT, 40),
     ("text", (160.0, 26), "screen space, preset paper, 48 x 32", SOFT, 20),
     ("text", (160.0, 51), "mesh tetrahedron.obj, shadow map 64 x 64, rules 2", FAINT, 17),
     ("box", (36, 132, 355, 134), (233, 174, 84)),
     ("text", (36, 104), "shadow_map", (233, 174, 84), 20),
-    ("paste", (89, 142), (213, 213)),  # as high as the frame, and in its middle
+    ("paste", (89, 142), (213, 213)),
     ("text", (36, 363), "light_distance", BRIGHT, 23),
     ("text", (36, 393), "4.691", SOFT, 18),
-    ("paste", (91, 398), (72, 12)),  # the ramp, between both numbers
+    ("paste", (91, 398), (72, 12)),
     ("text", (173, 393), "10.93", SOFT, 18),
     ("text", (36, 417), "scene units from the light", FAINT, 16),
     ("box", (376, 132, 695, 134), (92, 178, 224)),
@@ -127,29 +127,37 @@ SHEET = [  # five buffers in rows of four: where each word, line and picture goe
     ("text", (376, 363), "triangle", BRIGHT, 23),
     ("text", (376, 393), "3 to 3", SOFT, 18),
     ("text", (376, 417), "triangle index in scene order", FAINT, 16),
-    ("box", (696, 132, 1035, 134), (92, 178, 224)),  # joined to the one on its left
+    ("box", (696, 132, 1035, 134), (92, 178, 224)),
     ("paste", (716, 142), (320, 213)),
-    ("text", (716, 363), "coverage", BRIGHT, 23),
-    ("text", (716, 393), "1 to 1", SOFT, 18),
-    ("text", (716, 417), "1 where the model is drawn", FAINT, 16),
+    ("text", (716, 363), "depth", BRIGHT, 23),
+    ("text", (716, 393), "0.9556", SOFT, 18),
+    ("paste", (780, 398), (72, 12)),
+    ("text", (862, 393), "0.9637", SOFT, 18),
+    ("text", (716, 417), "window depth of the camera's view, 0 to 1", FAINT, 15),
     ("box", (1036, 132, 1375, 134), (92, 178, 224)),
     ("paste", (1056, 142), (320, 213)),
-    ("text", (1056, 363), "thickness", BRIGHT, 23),
-    ("text", (1056, 393), "0", SOFT, 18),
-    ("paste", (1075, 398), (72, 12)),
-    ("text", (1157, 393), "0.006731", SOFT, 18),
-    ("text", (1056, 417), "scene units along the light's ray", FAINT, 16),
-    ("box", (36, 487, 355, 489), (182, 146, 226)),
-    ("text", (36, 459), "composite", (182, 146, 226), 20),
+    ("text", (1056, 363), "coverage", BRIGHT, 23),
+    ("text", (1056, 393), "1 to 1", SOFT, 18),
+    ("text", (1056, 417), "1 where the model is drawn", FAINT, 16),
+    ("box", (36, 487, 355, 489), (92, 178, 224)),
+    ("text", (36, 459), "camera", (92, 178, 224), 20),
     ("paste", (36, 497), (320, 213)),
-    ("text", (36, 718), "image", BRIGHT, 23),
-    ("text", (36, 748), "0 to 0.8371", SOFT, 18),
-    ("text", (36, 772), "linear RGB", FAINT, 16),
+    ("text", (36, 718), "thickness", BRIGHT, 23),
+    ("text", (36, 748), "0", SOFT, 18),
+    ("paste", (55, 753), (72, 12)),
+    ("text", (137, 748), "0.006731", SOFT, 18),
+    ("text", (36, 772), "scene units along the light's ray", FAINT, 16),
+    ("box", (376, 487, 695, 489), (182, 146, 226)),
+    ("text", (376, 459), "composite", (182, 146, 226), 20),
+    ("paste", (376, 497), (320, 213)),
+    ("text", (376, 718), "image", BRIGHT, 23),
+    ("text", (376, 748), "0 to 0.8371", SOFT, 18),
+    ("text", (376, 772), "linear RGB", FAINT, 16),
 ]
 
 
 def test_everything_has_its_place_on_the_sheet(scene_file, tmp_path, monkeypatch):
-    kept = ["light_distance", "coverage", "thickness", "image", "triangle"]
+    kept = ["light_distance", "coverage", "thickness", "image", "triangle", "depth"]
     result = render(load_scene(scene_file), interpreter="arrays", keep=kept)
     notes = noted(monkeypatch)
     assert sheet_of(result, tmp_path / "x.png").shape == (832, 1412, 3)
