@@ -9,7 +9,7 @@ from raster_proof import assert_same_bits, check_scene, digest
 from soups import soup
 
 from sss_ref.raster.primitives import assemble
-from sss_ref.raster.rasterize import bin_pieces, first_and_last, visibility
+from sss_ref.raster.rasterize import bin_pieces, first_and_last, visibility, window_depth
 from sss_ref.raster.viewport import Viewport
 
 
@@ -26,6 +26,13 @@ def draw(vertices, viewport, triangles=None):
 def sheet(z):
     """A triangle that covers the whole picture at one depth of normalised device coordinates."""
     return [(-1, -1, z, 1), (3, -1, z, 1), (-1, 3, z, 1)]
+
+
+@pytest.mark.parametrize(
+    ("depths", "expected"), [((1.5, 1.5, 1.5), 1), ((-0.5, -0.5, -0.5), 0), ((0, 0.5, 1), 0.625), ((1, 1, 1), 1)]
+)
+def test_a_depth_is_the_weighted_mean_held_to_0_and_1(depths, expected):
+    assert window_depth((1.0, 1.0, 2.0), tuple(map(float, depths)), 4.0) == expected
 
 
 def assert_same_picture(actual, expected):
