@@ -1,5 +1,7 @@
 """Regions of bodies whose geometry is known: a sphere, a cube, a thin plate, and one that casts a shadow."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from boxes import looking_down, parallel_light, shaded_plate, write_box
@@ -75,3 +77,71 @@ def test_a_shadow_has_an_edge(tmp_path):
     across = found._buffers["position_world"][..., 0]
     edge = found.masks["shadow edge"]
     assert edge.any() and np.abs(across[edge] - 16.0).max() < found.length + 2 * 40 / 48
+
+
+def of_a_row(places, unit=1.0, uv=None, upright=False, **light):
+    """Regions of pixels beside each other, or above: x of the points that they show, and of the one light what is said.
+
+    unit: a unit's length in diffusion lengths. cosine, reached, way: of every pixel; way in diffusion lengths.
+    """
+    found = Regions(SimpleNamespace(settings=None), SKIN)
+    found.scene.settings = SimpleNamespace(mm_per_unit=found.length * unit)
+    shape = (len(places), 1) if upright else (1, len(places))
+    points = np.zeros((*shape, 3), np.float32)
+    points[..., 0] = np.reshape(places, shape)
+    buffers = {"coverage": np.ones(shape, np.uint8), "position_world": points}
+    if uv is not None:
+        buffers["uv"] = np.stack([np.reshape(uv, shape), np.zeros(shape)], axis=-1)
+    lit = {"cosine": 1.0, "reached": True, "way": 0.0, **light}
+    way = np.broadcast_to(lit["way"] * found.length, shape)
+    lights = [(np.broadcast_to(lit["cosine"], shape), np.broadcast_to(lit["reached"], shape), way)]
+    found.__dict__.update(_buffers=buffers, _lights=lights)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("cosine", "reached", "way", "region"),
+    [
+        (0.25, True, 0.0, "terminator"),
+        (0.26, True, 0.0, "lit"),
+        (0.26, False, 1.0, "dark"),
+        (-0.25, False, 1.0, "terminator"),
+        (-0.26, False, 2.0, "thin"),
+        (-0.26, False, 2.01, "dark"),
+        (-0.26, False, 0.01, "thin"),
+        (-0.26, False, 0.0, "dark"),
+    ],
+)
+def test_which_light_makes_which_region(cosine, reached, way, region):
+    found = of_a_row([0, 1], cosine=cosine, reached=reached, way=way)
+    assert {name: mask.sum() for name, mask in found.masks.items()} == {"everywhere": 2, region: 2}
+
+
+@pytest.mark.parametrize("upright", [False, True])
+@pytest.mark.parametrize(("gap", "at"), [(4, []), (4.01, [2, 3, 4, 5])])
+def test_what_is_four_steps_apart_is_one_surface_and_what_is_farther_another(upright, gap, at):
+    """Both pixels beside the gap, and those within a diffusion length, here a step."""
+    places = [0, 1, 2, 3, 3 + gap, 4 + gap, 5 + gap, 6 + gap]
+    found = of_a_row(places, upright=upright)
+    assert np.flatnonzero(found._silhouette).tolist() == at
+
+
+@pytest.mark.parametrize(("unit", "reach"), [(2.1, 1), (0.7, 1), (0.6, 2), (0.2, 5), (0.1, 8), (0.125, 8), (0.14, 7)])
+def test_a_diffusion_length_in_pixels(unit, reach):
+    assert of_a_row([0, 1, 2], unit).reach == reach
+
+
+@pytest.mark.parametrize("upright", [False, True])
+@pytest.mark.parametrize(("jump", "at"), [(0.625, []), (0.75, [3, 4])])
+def test_texture_coordinates_that_change_five_times_as_fast_have_a_seam(upright, jump, at):
+    uv = [0.125 * k + (jump - 0.125) * (k > 3) for k in range(8)]
+    found = of_a_row(range(8), uv=uv, upright=upright)
+    assert np.flatnonzero(found._seam).tolist() == at
+    assert not of_a_row(range(8))._seam.any()
+
+
+def test_the_edge_of_a_shadow_reaches_a_diffusion_length_to_both_sides():
+    found = of_a_row(range(8), reached=np.arange(8) < 4)
+    assert np.flatnonzero(found.masks["shadow edge"]).tolist() == [3, 4]
+    grazed = of_a_row(range(8), reached=np.arange(8) < 4, cosine=0.25)
+    assert "shadow edge" not in grazed.masks
