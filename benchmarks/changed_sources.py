@@ -69,9 +69,18 @@ def sources(places: list[Path]) -> Iterator[Path]:
 def mutants(path: Path) -> Iterator[Mutant]:
     """Every mutant of a file."""
     text = (PACKAGE / path).read_text(encoding="utf-8")
-    for node, statement in computed(ast.parse(text), None, False):
-        for changed in changes(node):
+    tree = ast.parse(text)
+    same = {id(each) for each in lengths_left(tree)}
+    for node, statement in computed(tree, None, False):
+        for changed in changes(node) if id(node) not in same else ():
             yield Mutant(path, text, statement, node, changed)
+
+
+def lengths_left(tree: ast.AST) -> Iterator[ast.expr]:
+    """The 1 of every reshape(-1): NumPy takes any number below 0 for the length that is left, so -2 is the same."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "reshape":
+            yield from (each.operand for each in node.args if isinstance(each, ast.UnaryOp))
 
 
 def computed(node: ast.AST, statement: ast.stmt | None, is_called: bool) -> Iterator[tuple[ast.AST, ast.stmt | None]]:
