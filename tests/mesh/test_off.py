@@ -100,9 +100,10 @@ def test_polygons_in_the_files_order(tmp_path):
     assert (np.array(centres(mesh)) > 3).tolist() == [False, False, True, True, True, True, False]
 
 
-def test_faces_of_one_or_two_corners_are_noted(tmp_path):
-    mesh = loaded(tmp_path, "a.off", f"OFF\n4 6 0\n{V}2 0 1\n{F}1 3\n")
-    assert measured(mesh) == TETRAHEDRON and mesh.notes == ("2 faces of fewer than three corners were passed over",)
+@pytest.mark.parametrize("end", ["\n", " "], ids=["a line each", "one line"])
+def test_faces_of_no_one_or_two_corners_are_noted(tmp_path, end):
+    mesh = loaded(tmp_path, "a.off", f"OFF\n4 7 0\n{V}2 0 1\n0\n{F}1 3\n".replace("\n", end))
+    assert measured(mesh) == TETRAHEDRON and mesh.notes == ("3 faces of fewer than three corners were passed over",)
 
 
 def test_colours_of_both_and_numbers_behind_are_noted(tmp_path):
@@ -134,6 +135,10 @@ REFUSED = {
         "expected a valid off file: OFF, then the numbers of vertices, faces and edges, got nothing" + AGAIN,
     ),
     "a face too few": (f"OFF\n4 5 6\n{V}{F}", "expected the 9 elements it declares, got 8 lines" + AGAIN),
+    "no face": (
+        f"OFF\n4 0 0\n{V}",
+        "expected at least one triangle, got none; export the mesh as triangles or polygons",
+    ),
     "vertices that are not there": (f"OFF\n404 0 0\n{V}", "expected the 404 elements it declares, got 4 lines" + AGAIN),
     "cut within a face": (f"OFF\n{BODY}"[:-4], "expected the 8 elements it declares, got 8 lines" + AGAIN),
     "beyond the last vertex": (
