@@ -68,3 +68,35 @@ def test_which_storages_are_bytes():
     assert spans == {"unorm8": 1.0, "snorm8": 2.0, "srgb8": 1.0}
     assert LOSSES["unorm8"].scaled(-3.0, 0.3, 1.0).span_of_bytes == pytest.approx(3.0)
     assert EXACT.span_of_bytes == 0.0
+
+
+def test_a_half_is_what_numpy_says_of_it():
+    half = np.finfo(np.float16)
+    expected = (float(half.eps), float(half.smallest_subnormal), float(half.min), float(half.max))
+    loss = LOSSES["float16"]
+    assert (loss.relative, loss.least, loss.low, loss.high) == expected
+    assert loss.flushed == float(half.smallest_normal)
+
+
+def test_steps_of_small_floats_and_of_codes():
+    """Blue of 11, 11 and 10 bits has 5 of a significand and exponents from -14 to 15: 1.96875 * 2^15 is the largest."""
+    assert LOSSES["r11g11b10f"] == Loss(2.0**-5, 2.0 ** (-14 - 5), 0.0, (2 - 2.0**-5) * 2.0**15, 2.0**-14)
+    assert LOSSES["float24"] == Loss(2.0**-15, 2.0**-141)
+    codes = {"unorm8": 255, "rgb10a2": 1023, "unorm16": 65535, "unorm24": 16777215}
+    assert {name: LOSSES[name] for name in codes} == {
+        name: Loss(0.0, 1 / most, 0.0, 1.0) for name, most in codes.items()
+    }
+    signed = {"snorm8": 127, "snorm16": 32767}
+    assert {name: LOSSES[name] for name in signed} == {
+        name: Loss(0.0, 1 / most, -1.0, 1.0) for name, most in signed.items()
+    }
+
+
+def test_a_step_of_srgb_is_wider_than_any_that_the_formula_has():
+    """The widest is at white: 2.4 / 1.055 of 1/255, from code 254 to 255."""
+    widest, srgb = 1 - ((254 / 255 + 0.055) / 1.055) ** 2.4, LOSSES["srgb8"]
+    assert widest < srgb.least <= 1.5 * widest and (srgb.low, srgb.high) == (0, 1)
+
+
+def test_the_diagonal_of_a_cube_and_the_step_of_a_float32():
+    assert np.linalg.norm([1, 1, 1]) == pytest.approx(DIAGONAL) and float(np.finfo(F).eps) == ROUNDING
