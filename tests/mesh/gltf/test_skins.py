@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from gltf_files import CORNERS, GltfBuilder, corners, refusal, volume
 
+from sss_ref.mesh.gltf.skins import _for_normals
+
 AGAIN = "; export the mesh again"
 PLACE = "meshes[0].primitives[0]"
 FIRST = np.zeros((4, 4), np.uint8)  # every vertex hangs on joint 0
@@ -175,3 +177,12 @@ def test_bad_skin(tmp_path, builder, expected):
 def test_joint_inside_itself(tmp_path):
     builder = skinned([{}, {}, {"children": [3]}, {"children": [2]}], skin=[2])
     assert refusal(builder, tmp_path) == f"nodes[2]: expected a node below a root, got one inside itself{AGAIN}"
+
+
+def test_normals_of_a_place_without_volume_are_missing_and_of_any_other_turned_by_the_inverse():
+    """Scaled by 1, 2 and 4: by the inverse transpose 1, 1/2 and 1/4; flat in z: none."""
+    flat, scaled, turned = np.diag([1.0, 2, 0]), np.diag([1.0, 2, 4]), np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    places = np.stack([np.column_stack([each, [5.0, 6, 7]]) for each in (flat, scaled, turned)])
+    found = _for_normals(places)
+    assert found.shape == (3, 3, 4) and not found[..., 3].any()
+    assert found[:, :, :3].tolist() == [np.zeros((3, 3)).tolist(), np.diag([1, 0.5, 0.25]).tolist(), turned.tolist()]
