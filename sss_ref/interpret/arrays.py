@@ -49,8 +49,9 @@ def run_fragments(work: Work, pool: Executor | None) -> bool:
 
     Array code has no use for the pool.
     """
-    for name, buffer in work.outputs.items():
-        buffer[...] = work.backgrounds[name] if buffer.ndim == 3 else work.backgrounds[name][0]
+    for name, background in work.backgrounds.items():
+        buffer = work.outputs[name]
+        buffer[...] = background if buffer.ndim == 3 else background[0]
     for at in in_chunks(work.fragments.where):
         values = stage_values(work, *at)
         for name, buffer in work.outputs.items():
@@ -87,6 +88,8 @@ def run_stages(
 
 def stage_input(work: Work, values: Mapping[str, Any], name: str, kind: Any, at: tuple[np.ndarray, np.ndarray]) -> Any:
     """What a stage reads under a name: a value of its own pass, a buffer of an earlier one, or a uniform."""
+    if name in work.handed_on:
+        return buffer_value(kind, work.handed_on[name], *at)
     if name in values:
         return values[name]
     if name in work.buffers:

@@ -1,7 +1,7 @@
 """What an interpreter is handed: a pass, what it reads, the fragments of its draw, and the buffers to fill."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, get_origin
 
 import numpy as np
@@ -42,6 +42,12 @@ class Fragments:
             return self.piece >= 0
         return np.ones((self.height, self.width), bool) if self.stencil is None else self.stencil != 0
 
+    def among(self, chosen: np.ndarray) -> "Fragments":
+        """Those of them that are among some pixels, bool (H, W)."""
+        if self.piece is not None:
+            return replace(self, piece=np.where(chosen, self.piece, np.int32(-1)))
+        return replace(self, stencil=self.where & chosen)
+
 
 @dataclass(frozen=True)
 class Work:
@@ -50,7 +56,9 @@ class Work:
     uniforms: name -> float32 scalar, int, or array (vectors (N,), matrices (N, N), uniform arrays (N,) or (N, C),
         textures (H, W, C)), float32 or, for integers, int32.
     buffers: name -> finished buffer of an earlier pass, (H, W) or (H, W, C).
-    outputs: name -> array to fill completely, background included; backgrounds: name -> one value per channel.
+    outputs: name -> array to fill. backgrounds: name -> one value per channel for the pixels without a fragment, where
+        a name that is left out keeps what it has.
+    handed_on: name -> array, (H, W) or (H, W, C), that stages read in place of what one before them in the pass gives.
     """
 
     this_pass: Pass
@@ -59,6 +67,7 @@ class Work:
     buffers: Mapping[str, np.ndarray]
     outputs: Mapping[str, np.ndarray]
     backgrounds: Mapping[str, np.ndarray]
+    handed_on: Mapping[str, np.ndarray] = field(default_factory=dict)
 
 
 def uniform_value(kind: Any, raw: Any) -> Any:

@@ -1,6 +1,6 @@
 """A pass as a program: what its draw gives, its stages in order, and what of it is kept."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, get_args, get_origin
 
 import numpy as np
@@ -88,10 +88,14 @@ class StagePlan:
         size = [array.shape[1], array.shape[0]] if get_origin(kind) is Texture else []
         return [self.program.address(array), *size]
 
-    def forget(self, at: int) -> None:
-        """Give back the rows of all that is read for the last time by the stage with this number."""
-        for name in [name for name in self.values if self.last.get(name, -1) <= at and name != PIXEL]:
+    def forget(self, names: Iterable[str]) -> None:
+        """Give back the rows of values; whoever reads one of them later gets what `fragments` has of it."""
+        for name in names:
             self.program.give_back(self.values.pop(name))
+
+    def read_no_more(self, after: int) -> list[str]:
+        """What is read for the last time by the stage with this number, or before."""
+        return [name for name in self.values if self.last.get(name, -1) <= after and name != PIXEL]
 
 
 def contiguous(array: Any, kind: Any) -> np.ndarray:
@@ -107,14 +111,16 @@ def last_uses(stages: Sequence[Stage]) -> dict[str, int]:
 def planned(work: Work) -> Program:
     """The program of a pass on a strip of its fragments."""
     this_pass = work.this_pass
-    plan = StagePlan({**work.uniforms, **work.buffers}, work.buffers, last_uses(this_pass.stages))
+    fragments = {**work.buffers, **work.handed_on}
+    plan = StagePlan({**work.uniforms, **work.buffers}, fragments, last_uses(this_pass.stages))
     if this_pass.draw.vertex_stages:
         draw_values(plan, this_pass, work.fragments, work.outputs)
     keep(plan, work, this_pass.draw.outputs)
     for number, stage in enumerate(this_pass.stages):
         plan.stage(stage)
         keep(plan, work, stage.writes.values())
-        plan.forget(number)
+        plan.forget([name for name in stage.writes.values() if name in work.handed_on])
+        plan.forget(plan.read_no_more(number))
     return plan.program
 
 
@@ -164,11 +170,11 @@ def interpolated(program: Program, corners: list[int], attributes: np.ndarray) -
 
 
 def cleared(work: Work) -> Program:
-    """The program that writes the background into all outputs."""
+    """The program that writes the backgrounds into the outputs that have one."""
     program = Program()
-    for name, buffer in work.outputs.items():
-        kind = work.this_pass.values[name]
-        values = np.asarray(work.backgrounds[name], np.int32 if kind is bool else dtype_of(kind)).view(FLOAT32)
+    for name, background in work.backgrounds.items():
+        kind, buffer = work.this_pass.values[name], work.outputs[name]
+        values = np.asarray(background, np.int32 if kind is bool else dtype_of(kind)).view(FLOAT32)
         channels = CHANNELS[kind]
         function = fragment_rows.clear_bytes if kind is bool else fragment_rows.clear_words
         tables = [program.address(buffer), channels, 0, channels]

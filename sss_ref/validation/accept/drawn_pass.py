@@ -75,6 +75,14 @@ class DrawnPass:
             return draw_values(self.work, *at)
         return {PIXEL: pixel_numbers(*at)}
 
+    @property
+    def exactly(self) -> Work:
+        """The work with each value as it is here: its stages read what was dumped of those before them."""
+        read = {name: known.exact for name, known in self.read.items()}
+        beside = {*self.this_pass.draw.outputs, *read}
+        handed_on = {name: buffer for name, buffer in self.drawing.buffers.items() if name not in beside}
+        return replace(self.work, buffers=read, handed_on=handed_on)
+
     def results(self, stage: Stage, inputs: Sequence[Any], at: Pixels) -> dict[str, Any]:
         """What a stage gives exactly, buffer -> value: what the oracle's gave where it ran and read the same."""
         kinds = {name: stage.outputs[own] for own, name in stage.writes.items()}

@@ -6,14 +6,14 @@ where a buffer holds something else, and at the sample.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sss_ref.interpret.work import store
+from sss_ref.rendering.fold import machine_of
 from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import KnownBuffer, Pixels
-from sss_ref.validation.accept.walk import exact_runs, groups, in_rounds, side_by_side, walk
+from sss_ref.validation.accept.walk import groups, in_rounds, side_by_side, walk
 
 SAMPLE = 4096  # pixels of a pass: of a share of a hundredth some forty
 
@@ -106,12 +106,8 @@ def _nowhere(buffer: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 def _exactly(drawn: DrawnPass, where: np.ndarray, start: Mapping[str, KnownBuffer]) -> dict[str, np.ndarray]:
     """What the stages write exactly at the pixels of a mask; elsewhere what was there."""
-    buffers = {name: buffer.exact.copy() for name, buffer in start.items()}
-
-    def fill(at: Pixels) -> None:
-        for _, _, results in exact_runs(drawn, at):
-            for name in (name for name in results if name in buffers):
-                store(buffers[name], *at, results[name])
-
-    side_by_side(fill, where)
-    return buffers
+    outputs = {name: buffer.exact.copy() for name, buffer in start.items()}
+    work = replace(drawn.exactly, fragments=drawn.work.fragments.among(where), outputs=outputs)
+    with machine_of("kernel") as machine:
+        machine.interpreter.run_fragments(work, machine.pool)
+    return outputs

@@ -11,8 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from sss_ref.interpret.arrays import in_chunks
-from sss_ref.interpret.work import buffer_value
+from sss_ref.interpret.arrays import in_chunks, run_stages
 from sss_ref.language.layout import dtype_of, shape_of
 from sss_ref.language.stage import Stage
 from sss_ref.rendering.result import Result
@@ -52,21 +51,6 @@ def walk(drawn: DrawnPass, at: Pixels) -> Iterator[StageRun]:
             known[name] = contracted(dumped.handed_on(name, kind, at), written[name], kind, drawn.profile)
 
 
-def exact_runs(drawn: DrawnPass, at: Pixels) -> Iterator[tuple[Stage, list[Any], dict[str, Any]]]:
-    """The stages of a pass at some pixels, what each reads, one value for each parameter, and gives: buffer -> value.
-
-    All as it is exactly, where `walk` has the bounds as well.
-    """
-    known, dumped = drawn.exactly_given(at), drawn.drawing.buffers
-    for stage in drawn.this_pass.stages:
-        named = [(stage.reads[own], kind) for own, kind in stage.parameters.items()]
-        inputs = [known[name] if name in known else drawn.outside(name, kind, at).exact for name, kind in named]
-        results = drawn.results(stage, inputs, at)
-        yield stage, inputs, results
-        kinds = {name: stage.outputs[own] for own, name in stage.writes.items()}
-        known |= {n: buffer_value(kinds[n], dumped[n], *at) if n in dumped else results[n] for n in kinds}
-
-
 def run_stage(drawn: DrawnPass, at: Pixels, buffer: str) -> StageRun:
     """The stage that writes a buffer, at some pixels."""
     return next(run for run in walk(drawn.running(_group_of(drawn, buffer)), at) if buffer in run.written)
@@ -74,7 +58,8 @@ def run_stage(drawn: DrawnPass, at: Pixels, buffer: str) -> StageRun:
 
 def exact_run(drawn: DrawnPass, at: Pixels, buffer: str) -> tuple[Stage, list[Any]]:
     """The stage that writes a buffer, and what it reads exactly at some pixels, one value for each parameter."""
-    runs = exact_runs(drawn.running(_group_of(drawn, buffer)), at)
+    group = drawn.running(_group_of(drawn, buffer))
+    runs = run_stages(group.exactly, *at, group.exactly_given(at))
     return next((stage, inputs) for stage, inputs, results in runs if buffer in results)
 
 
