@@ -175,6 +175,52 @@ def test_beside_the_stencil_stands_the_background(share):
     assert_same_bits(*found)
 
 
+class Halved(NamedTuple):
+    """What is handed on."""
+
+    halved: vec3
+    is_bright: bool
+
+
+class Seen(NamedTuple):
+    """What is made of it."""
+
+    seen: vec3
+
+
+@stage(source="test")
+def halve(value: vec3) -> Halved:
+    """A number and a truth value."""
+    return Halved(value * 0.5, value.x > 1.0)
+
+
+@stage(source="test")
+def see(halved: vec3, is_bright: bool) -> Seen:
+    """Both are read, and one read again by the stage that follows."""
+    return Seen(select(is_bright, halved, vec3(1.0, 1.0, 1.0) - halved))
+
+
+@pytest.mark.parametrize("handed_on", [(), ("halved",), ("is_bright",), ("halved", "is_bright")])
+def test_stages_read_what_is_handed_on_in_place_of_what_was_given(handed_on):
+    """Beside the fragments, where no background is told, the outputs keep what they hold."""
+    rng = np.random.default_rng(4)
+    value, other = rng.random((2, 9, 700, 3)).astype(F) * F(2)
+    bright, where = rng.integers(0, 2, (9, 700)).astype(np.uint8) * np.uint8(7), rng.random((9, 700)) < 0.6
+    again = see.renamed(lambda name: {"seen": "seen_again"}.get(name, name))
+    one = Pass("one", "", ScreenDraw(), (halve, see, again))
+    in_place = {name: {"halved": other, "is_bright": bright}[name] for name in handed_on}
+    halved, is_bright = in_place.get("halved", value * F(0.5)), in_place.get("is_bright", value[..., 0] > 1) != 0
+    seen = np.where(is_bright[..., None], halved, F(1) - halved)
+    expected = {"halved": value * F(0.5), "is_bright": (value[..., 0] > 1).astype(np.uint8)}
+    for interpreter in (strips, arrays):
+        outputs = {name: np.full(shape_of(kind, 700, 9), 9, dtype_of(kind)) for name, kind in one.outputs.items()}
+        fragments = Fragments(700, 9).among(where)
+        interpreter.run_fragments(Work(one, fragments, {}, {"value": value}, outputs, {}, in_place), None)
+        for name, buffer in outputs.items():
+            assert (buffer[~where] == 9).all()
+            assert (buffer[where] == expected.get(name, seen)[where]).all(), (interpreter, name)
+
+
 TEXELS_BESIDE = {  # stencil of a row of 700 pixels
     "whole rows": np.ones(700, bool),
     "a run in the middle": (np.arange(700) > 100) & (np.arange(700) < 600),

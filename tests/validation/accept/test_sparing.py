@@ -4,13 +4,15 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from one_stage import assert_same_bits
 from scenes import LIGHT, around, sphere, written
 
 from sss_ref.dump.held import HELD
 from sss_ref.interpret.intervals.profile import PROFILES
-from sss_ref.rendering.fold import render
+from sss_ref.rendering.fold import machine_of, render
 from sss_ref.scene.load import load_scene
 from sss_ref.validation import stage_by_stage
+from sss_ref.validation.accept import sparing
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.dumped import Drawing
 from sss_ref.validation.accept.rebased import RASTERIZER, checks
@@ -86,6 +88,22 @@ def test_what_is_worked_out_is_the_same_and_what_is_spared_is_right(oracle, name
         assert FAIL not in outcomes[~told], whole.buffer
         spared += int((~told & whole.where).sum())
     assert spared > 1000
+
+
+def test_numbers_that_are_none_do_no_harm(oracle, monkeypatch):
+    """What the kernels make of a dump of NaN, infinity and the largest numbers is what arrays do."""
+    rng, odd = np.random.default_rng(6), {}
+    for name, buffer in oracle.buffers.items():
+        numbers = [np.nan, np.inf, -np.inf, 3e38, -3e38] if buffer.dtype == np.float32 else [0, 1]
+        odd[name] = np.where(rng.random(buffer.shape) < 0.2, rng.choice(numbers, buffer.shape), buffer)
+        odd[name] = odd[name].astype(buffer.dtype)
+    case, found = Case(oracle, Drawing(odd), PROFILES["ieee"]), []
+    for interpreter in ("kernel", "arrays"):
+        monkeypatch.setattr(sparing, "machine_of", lambda _, chosen=interpreter: machine_of(chosen))
+        with np.errstate(all="ignore"):
+            found.append({check.buffer: check.expected for check in checks(case, sparing=Sparing(SAMPLE))})
+    assert_same_bits(*found)
+    assert not np.isfinite(found[0]["image"]).all()
 
 
 def test_two_lights_run_a_stage_twice_and_each_run_is_spared_by_itself(body):
