@@ -7,6 +7,7 @@ from cyclopts import Parameter
 
 from sss_ref.cli.console import DIFFERS, out, progress
 from sss_ref.cli.options import NO_CHANGES, Changes
+from sss_ref.cli.shader_files import shaders_of
 
 if TYPE_CHECKING:
     from sss_ref.blame.blaming import Suspicion
@@ -53,11 +54,10 @@ def _suspicion(scene: "Scene", shaders: Path, dump: Path | None, profile: str) -
     from sss_ref.blame.stacks import language_of, stacks_here
     from sss_ref.dump.read import read_dump
     from sss_ref.gl import device_name, draw
-    from sss_ref.gl.shaders import shader_folder
     from sss_ref.language.pipeline import REGISTERS
     from sss_ref.validation.accept.dumped import Drawing
 
-    files = shader_folder(shaders, scene.settings)
+    files = shaders_of(shaders, scene.settings)
     if dump:
         drawing = Drawing.read(read_dump(dump, scene))
     else:

@@ -7,6 +7,7 @@ from cyclopts import Parameter
 
 from sss_ref.cli.console import DIFFERS, out, progress
 from sss_ref.cli.options import NO_CHANGES, Changes
+from sss_ref.cli.shader_files import shaders_of
 
 
 def neutral(
@@ -34,9 +35,8 @@ def neutral(
     artist = None
     if shaders or run_glsl:
         from sss_ref.gl.shader_artist import ShaderArtist
-        from sss_ref.gl.shaders import shader_folder
 
-        artist = ShaderArtist(shader_folder(shaders, loaded.settings) if shaders else {})
+        artist = ShaderArtist(shaders_of(shaders, loaded.settings))
     broken = 0
     with progress("drawing"):
         for trial in trials(loaded, artist, only):

@@ -10,6 +10,7 @@ from cyclopts import Parameter
 from sss_ref.cli.console import DIFFERS, announce_compilation, err, out, progress
 from sss_ref.cli.import_command import tell_doubts
 from sss_ref.cli.options import KERNELS, NO_CHANGES, NO_HASTE, Changes, Execution, Haste
+from sss_ref.cli.shader_files import shaders_of
 from sss_ref.cli.verdicts import print_report
 from sss_ref.errors import DumpError, ShaderError
 from sss_ref.errors.wording import told
@@ -156,12 +157,11 @@ def _read(scene: "Scene", given: Path | None, origin: Literal["top", "bottom"] |
 def _shown(scene: "Scene", shaders: Path | None, shown_by: str) -> "Drawing":
     """What this machine draws, with the shaders of a folder if one is given."""
     from sss_ref import gl, webgpu
-    from sss_ref.gl.shaders import shader_folder
     from sss_ref.language.pipeline import REGISTERS
     from sss_ref.validation.accept.dumped import Drawing
 
     draw, device = (gl.draw, gl.device_name) if shown_by == RUN_GLSL else (webgpu.draw, webgpu.adapter_name)
-    buffers = draw(scene, shader_folder(shaders, scene.settings) if shaders else {}, keep=("all", REGISTERS))
+    buffers = draw(scene, shaders_of(shaders, scene.settings), keep=("all", REGISTERS))
     return Drawing(buffers, device=device())
 
 

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
 
 SAMPLER = re.compile(r"^uniform \w*sampler2D", re.MULTILINE)
 Files = str | PathLike[str] | Sequence[str | PathLike[str]]
+ENDINGS = (".vert", ".frag")  # of the files that are read
+COMPANIONS = ("readme", "license", "makefile", ".gitignore", ".ds_store", "thumbs")  # stand in folders of any kind
 
 
 @dataclass(frozen=True)
@@ -82,7 +84,7 @@ def shader_folder(folder: Path, settings: SceneFile) -> dict[str, list[Path]]:
     """
     on_demand = {each.name: each.on_demand for each in method_of(settings).passes}
     passes = [name for name in on_demand if not on_demand[name]]
-    paths = sorted(path for path in folder.glob("*") if path.suffix in (".vert", ".frag"))
+    paths = sorted(path for path in folder.glob("*") if path.suffix in ENDINGS)
     if not paths:
         raise ShaderError(
             f"{folder}: expected files NAME.frag or NAME.vert, NAME a pass ({', '.join(passes)}), got none"
@@ -94,6 +96,19 @@ def shader_folder(folder: Path, settings: SceneFile) -> dict[str, list[Path]]:
             raise ShaderError(f"{path}: expected the name of a pass ({', '.join(passes)}), got {path.stem}; rename it")
         files.setdefault(name, []).append(path)
     return {name: files[name] for name in passes if name in files}
+
+
+def passed_over(folder: Path, files: Mapping[str, Sequence[Path]]) -> dict[str, str]:
+    """Name -> why it is not read, of what a folder holds beside these shaders of its passes and usual companions."""
+    read = {path for of_pass in files.values() for path in of_pass}
+    others = [path for path in sorted(folder.iterdir()) if path not in read and path.stem.lower() not in COMPANIONS]
+    return {path.name: _why_unread(path) for path in others}
+
+
+def _why_unread(path: Path) -> str:
+    if path.is_dir():
+        return "a folder"
+    return "of a pass on demand" if path.suffix in ENDINGS else f"no {' or '.join(ENDINGS)}"
 
 
 def listed(files: Files) -> list[Path]:
