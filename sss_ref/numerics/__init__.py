@@ -2,4 +2,5 @@
 
 `elementary` holds the functions and their array forms (NumPy only), `scalar` their compiled forms: the same bits in
 array code and in compiled code (rule A2). `interval` holds sets of values, `arithmetic` what operations make of them.
+`random_numbers` holds numbers that no machine, version or number of threads changes.
 """

@@ -1,8 +1,8 @@
 """What becomes of each photon of a range, counted (compiled)."""
 
 from sss_ref.cache.compiled import compiled
+from sss_ref.numerics.random_numbers import restart
 from sss_ref.truth.photon import walk
-from sss_ref.truth.random_numbers import restart
 
 ORDERS = 3  # scattered never, once, more often
 

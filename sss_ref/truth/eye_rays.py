@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from sss_ref.cache.compiled import compiled
+from sss_ref.numerics.random_numbers import restart, uniform
 from sss_ref.truth.path import LOST, gathered
-from sss_ref.truth.random_numbers import restart, uniform
 
 SAMPLE_BITS = 32  # of a stream's number: above them the sample, below them pixel and channel
 

@@ -13,9 +13,9 @@ from typing import NamedTuple
 import numpy as np
 
 from sss_ref.cache.compiled import compiled
+from sss_ref.numerics.random_numbers import uniform
 from sss_ref.numerics.scalar import exp_scalar
 from sss_ref.truth.photon import entering, leaves
-from sss_ref.truth.random_numbers import uniform
 from sss_ref.truth.rays import NO_TRIANGLE, inside_length, nearest, normal
 from sss_ref.truth.samplers import about, exponential, reflectance, scattered
 

@@ -7,7 +7,7 @@ import math
 from typing import NamedTuple
 
 from sss_ref.cache.compiled import compiled
-from sss_ref.truth.random_numbers import uniform
+from sss_ref.numerics.random_numbers import uniform
 from sss_ref.truth.samplers import cosine_direction, exponential, reflectance, scattered
 
 REFLECTED, TRANSMITTED, ABSORBED = 0, 1, 2  # what becomes of a photon

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from sss_ref.errors import SceneError
 from sss_ref.errors.text_file import check_regular
 from sss_ref.errors.wording import told
+from sss_ref.numerics.random_numbers import new_stream
 from sss_ref.truth.eye_rays import Sums, gather_row
-from sss_ref.truth.random_numbers import new_stream
 from sss_ref.truth.tracing import Tracing
 
 FloatArray = NDArray[np.float64]

@@ -6,7 +6,7 @@ Directions are tuples (x, y, z) of float64.
 import math
 
 from sss_ref.cache.compiled import compiled
-from sss_ref.truth.random_numbers import uniform
+from sss_ref.numerics.random_numbers import uniform
 
 
 @compiled

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from sss_ref.errors import SceneError
 from sss_ref.errors.text_file import text_of
 from sss_ref.errors.wording import told
+from sss_ref.numerics.random_numbers import new_stream
 from sss_ref.truth.counting import ORDERS, count_photons
 from sss_ref.truth.photon import ABSORBED, Setup, Volume
-from sss_ref.truth.random_numbers import new_stream
 
 FORMAT = "sss_ref tally 1"
 BLOCK = 1 << 14  # photons that a thread walks between two looks at the clock

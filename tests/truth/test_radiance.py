@@ -9,12 +9,12 @@ import pytest
 from boxes import looking_down, parallel_light, write_box
 
 from sss_ref.errors import SceneError
+from sss_ref.numerics.random_numbers import new_stream
 from sss_ref.scene.load import load_scene
 from sss_ref.truth.media import volumes
 from sss_ref.truth.path import survived
 from sss_ref.truth.photon import REFLECTED, TRANSMITTED, Volume
 from sss_ref.truth.radiance import nothing_gathered, read_radiance
-from sss_ref.truth.random_numbers import new_stream
 from sss_ref.truth.samplers import reflectance
 from sss_ref.truth.slab import slab
 from sss_ref.truth.tracing import Tracing

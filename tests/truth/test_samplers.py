@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from sss_ref.truth.random_numbers import new_stream
+from sss_ref.numerics.random_numbers import new_stream
 from sss_ref.truth.samplers import about, cosine_direction, exponential, in_disc, reflectance, scattered
 
 DRAWS = 20_000

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sss_ref.truth.random_numbers import new_stream, philox, restart, uniform
+from sss_ref.numerics.random_numbers import new_stream, philox, restart, uniform
 
 # The authors' own known answers for philox4x32, 10 rounds (Random123, kat_vectors): counter, key, words.
 PI = "243f6a88 85a308d3 13198a2e 03707344", "a4093822 299f31d0", "d16cfe09 94fdcceb 5001e420 24126ea1"
