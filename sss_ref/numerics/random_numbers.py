@@ -50,8 +50,19 @@ def refill(stream, block):
     stream[WORDS], stream[WORDS + 1], stream[WORDS + 2], stream[WORDS + 3] = words
 
 
-@compiled
-def philox(counter, key):
+def whole_numbers(low: np.ndarray, high: np.ndarray, seed: int = 0) -> np.ndarray:
+    """One whole number of each range, low <= n < high: low + floor(w (high - low) / 2^32), int64 (N,).
+
+    low, high: int64 (N,), less than 2^32 apart. w: the first word of the stream of the item with the range's place.
+    """
+    item = np.arange(len(low), dtype=np.uint64)
+    first = np.zeros_like(item)
+    word, *_ = philox_words((first, first, item, first), (np.uint64(seed) & LOW, np.uint64(seed) >> HALF))
+    found: np.ndarray = low + (word * (high - low).astype(np.uint64) >> HALF).astype(np.int64)
+    return found
+
+
+def philox_words(counter, key):
     """Four words for a counter of four and a key of two; each a uint64 below 2^32."""
     a, b, c, d = counter
     key_0, key_1 = key
@@ -61,3 +72,6 @@ def philox(counter, key):
         b, d = product_1 & LOW, product_0 & LOW
         key_0, key_1 = (key_0 + WEYL_0) & LOW, (key_1 + WEYL_1) & LOW
     return a, b, c, d
+
+
+philox = compiled(philox_words)

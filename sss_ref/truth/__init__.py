@@ -6,7 +6,7 @@
     profile = searchlight(red, photons=1_000_000)
     profile.share, profile.share_error, profile.quantile(0.5)
 
-`numerics.random_numbers` and `samplers` give what a walk draws, `photon` walks one, `counting` counts many and `tally` keeps the
-counts, in any number of threads with the same bits. `searchlight` and `slab` are what is counted; `dipole`,
+`numerics.random_numbers` and `samplers` give what a walk draws, `photon` walks one, `counting` counts many and `tally`
+keeps the counts, in any number of threads with the same bits. `searchlight` and `slab` are what is counted; `dipole`,
 `burley_fit` and `chandrasekhar` are the formulas it is held against, `small_feature` says what an error means.
 """

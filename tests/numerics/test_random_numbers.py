@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from sss_ref.numerics.random_numbers import new_stream, philox, restart, uniform
+from sss_ref.numerics.random_numbers import new_stream, philox, philox_words, restart, uniform, whole_numbers
 
 # The authors' own known answers for philox4x32, 10 rounds (Random123, kat_vectors): counter, key, words.
 PI = "243f6a88 85a308d3 13198a2e 03707344", "a4093822 299f31d0", "d16cfe09 94fdcceb 5001e420 24126ea1"
@@ -19,7 +19,7 @@ def words(text):
 
 
 @pytest.mark.parametrize(("counter", "key", "expected"), KNOWN)
-@pytest.mark.parametrize("run", [philox, philox.py_func], ids=["compiled", "plain"])
+@pytest.mark.parametrize("run", [philox, philox_words], ids=["compiled", "plain"])
 def test_known_answers(run, counter, key, expected):
     assert tuple(map(int, run(words(counter), words(key)))) == tuple(map(int, words(expected)))
 
@@ -41,3 +41,18 @@ def test_a_restarted_stream_is_a_new_one():
     assert [uniform(stream) for _ in range(5)] == [uniform(other) for other in [new_stream(7, 1)] for _ in range(5)]
     restart(stream, 0)
     assert [uniform(stream) for _ in range(5)] == first
+
+
+@pytest.mark.parametrize("seed", [0, 0xA4093822299F31D0])
+def test_whole_numbers_are_what_the_streams_of_their_places_begin_with(seed):
+    low, high = np.array([0, 5, -3, 7, 0]), np.array([10, 6, 3, 1000, 2**32 - 1])
+    first = [int(uniform(new_stream(seed, item)) * 2**32) for item in range(5)]
+    expected = [a + (word * (b - a) >> 32) for word, a, b in zip(first, low.tolist(), high.tolist(), strict=True)]
+    assert whole_numbers(low, high, seed).tolist() == expected
+
+
+def test_whole_numbers_reach_both_ends_of_their_range_and_no_further():
+    found = whole_numbers(np.full(4000, -2), np.full(4000, 3))
+    assert found.dtype == np.int64
+    assert (np.bincount(found + 2, minlength=5) > 700).all() and set(found.tolist()) == {-2, -1, 0, 1, 2}
+    assert whole_numbers(np.zeros(0, np.int64), np.zeros(0, np.int64)).tolist() == []

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from sss_ref.numerics.random_numbers import whole_numbers
 from sss_ref.rendering.fold import machine_of
 from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import KnownBuffer, Pixels
@@ -78,9 +79,8 @@ def sampled(where: np.ndarray, count: int) -> np.ndarray:
     """
     chosen = np.flatnonzero(where)
     edges = np.arange(count + 1) * len(chosen) // count
-    place = np.random.default_rng(0).integers(edges[:-1], edges[1:])
     found = np.zeros(where.shape, bool)
-    found.reshape(-1)[chosen[place]] = True
+    found.reshape(-1)[chosen[whole_numbers(edges[:-1], edges[1:])]] = True
     return found
 
 
