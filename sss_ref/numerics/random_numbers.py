@@ -5,6 +5,8 @@ a counter of 128 bits and a key of 64 into four words of 32 bits. Here the key i
 of the photon or sample that draws, and the number of the block of four words.
 """
 
+from typing import Any
+
 import numpy as np
 
 from sss_ref.cache.compiled import compiled
@@ -62,7 +64,7 @@ def whole_numbers(low: np.ndarray, high: np.ndarray, seed: int = 0) -> np.ndarra
     return found
 
 
-def philox_words(counter, key):
+def philox_words(counter: Any, key: Any) -> Any:
     """Four words for a counter of four and a key of two; each a uint64 below 2^32."""
     a, b, c, d = counter
     key_0, key_1 = key
