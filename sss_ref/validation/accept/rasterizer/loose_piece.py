@@ -77,7 +77,7 @@ def reached(primitives, geometry, piece, axis, size):
             return 0, -1
         low = min(low, geometry.centre[vertex, axis] - geometry.half[vertex, axis])
         high = max(high, geometry.centre[vertex, axis] + geometry.half[vertex, axis])
-    return int(max(np.ceil(max(low, 0.0)), 0)), int(min(np.floor(min(high, size - 1.0)), size - 1))
+    return int(np.ceil(max(low, 0.0))), int(np.floor(min(high, size - 1.0)))
 
 
 @compiled
