@@ -12,10 +12,7 @@ from sss_ref.scene_file.quantities import Table
 
 FORMAT: Final = "sss_ref witness 1"
 PLAIN = "float32"  # a storage that loses nothing
-Pair = Annotated[tuple[int, int], Field(strict=False)]
-Extent = Annotated[
-    tuple[Annotated[int, Field(ge=1, le=2**31 - 1)], ...], Field(strict=False, min_length=1, max_length=2)
-]
+Extent = Annotated[tuple[Annotated[int, Field(ge=1, le=2**31 - 1)], ...], Field(min_length=1, max_length=2)]
 Storage = str | dict[str, float]
 
 
@@ -25,7 +22,7 @@ class StageRecord(Table):
     name: str
     source: str
     kinds: dict[str, str] = Field(default_factory=dict)
-    rays: Annotated[tuple[str, ...], Field(strict=False)] = ()
+    rays: tuple[str, ...] = ()
 
 
 class ValueRecord(Table):
@@ -63,7 +60,7 @@ class WitnessRecord(Table):
     output: str
     buffer: str
     in_pass: str
-    at: Pair
+    at: tuple[int, int]
     device: str | None = None
     profile: dict[str, Any]
     stored: Storage = PLAIN
@@ -73,7 +70,7 @@ class WitnessRecord(Table):
     expected: str
     low: str
     high: str
-    why: Annotated[tuple[str, ...], Field(strict=False)] = ()
+    why: tuple[str, ...] = ()
 
 
 def write_record(record: WitnessRecord, path: Path) -> Path:

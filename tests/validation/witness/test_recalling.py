@@ -1,6 +1,7 @@
 """A witness through its file: the same verdict from the file alone, as this version judges it."""
 
 import json
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
@@ -11,11 +12,13 @@ from wrong_pixels import WRONG, found_in, mistaken, same_bits, witness_of
 
 from sss_ref.cli import main
 from sss_ref.errors import SssRefError
-from sss_ref.language import stage, vec3
+from sss_ref.language import stage, vec2, vec3
 from sss_ref.rendering.fold import render
 from sss_ref.scene.own_stage import with_stage
+from sss_ref.validation.witness import recalling
 from sss_ref.validation.witness.recalling import recalled
 from sss_ref.validation.witness.recording import recorded
+from sss_ref.validation.witness.witness import as_value
 from sss_ref.validation.witness.witness_record import read_record, write_record
 
 LARGEST = 2048  # bytes of a file
@@ -145,6 +148,25 @@ def test_texels_that_do_not_fit_are_refused(tmp_path, element):
     reads = json.loads(path.read_text())["reads"]
     with pytest.raises(SssRefError, match=r"reads\.lit: expected bits"):
         recalled(read_record(Path(changed(path, reads=reads | {"lit": reads["lit"] | element}))), "wrong.json")
+
+
+@pytest.mark.parametrize(("spare", "message"), [(0, None), (-1, r"reads\.lit: expected bits")])
+def test_no_texture_takes_more_memory_than_there_is(tmp_path, monkeypatch, spare, message):
+    path = write_record(recorded(witness_of("scattered")), tmp_path / "wrong.json")
+    monkeypatch.setattr(recalling, "MEMORY_LIMIT", 32 * 32 * 3 * 4 + spare)
+    with pytest.raises(SssRefError, match=message) if message else nullcontext():
+        recalled(read_record(path), str(path))
+
+
+def test_what_is_as_it_mostly_is_is_not_written(file):
+    keys = {"format", "rules", "stage", "output", "buffer", "in_pass", "at", "profile", "reads", "why"}
+    assert json.loads(file.read_text()).keys() == keys | {"got", "expected", "low", "high"}
+    assert file.read_text().count("\n") == 1
+
+
+def test_a_value_is_a_vector_or_a_number():
+    assert isinstance(as_value(vec2, np.float32([1, 2])), vec2)
+    assert as_value(float, np.float32([3])) == 3
 
 
 def test_no_json_at_all(tmp_path):

@@ -48,6 +48,8 @@ def test_the_hash_is_of_what_is_computed():
     other = replace(phong_shading, body=translucency_ratio.body, outputs=translucency_ratio.outputs)
     assert source_hash(phong_shading) != source_hash(replace(other, writes=translucency_ratio.writes))
     assert source_hash(phong_shading) == source_hash(unbound(phong_shading.bound(albedo="other_albedo")))
+    assert source_hash(phong_shading) == source_hash(replace(phong_shading, source="another book"))
+    assert len(source_hash(phong_shading)) == 16 and source_hash(phong_shading) != source_hash(translucency_ratio)
 
 
 @pytest.mark.parametrize("kinds", [{"albedo": "mat3"}, {"albedo": "mat9"}])
