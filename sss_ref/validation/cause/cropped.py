@@ -62,8 +62,9 @@ def _nearer_than(case: Case, check: Check, shown: np.ndarray) -> Tried:
 def _moved(check: Check, clear: np.ndarray, limit: Limit) -> Tried:
     """The whole pixels by which the picture lies off that bring most of it back in place."""
     best, most = (0, 0), -1
-    around = range(-FARTHEST, FARTHEST + 1)
-    for up, right in limit.within("offsets by whole pixels", product(around, around)):
+    farthest = (min(FARTHEST, pixels - 1) for pixels in check.where.shape)
+    offsets = product(*(range(-most, most + 1) for most in farthest))
+    for up, right in limit.within("offsets by whole pixels", offsets):
         held = int((check.got == _shifted(check.expected, up, right, clear)).sum())
         best, most = ((up, right), held) if held > most else (best, most)
     if best != (0, 0):

@@ -181,6 +181,15 @@ def test_a_size_is_a_number(scale, matrix):
     assert np.array_equal(found.uniforms[LIGHT][2:], matrix[2:])
 
 
+@pytest.mark.parametrize("along", ["x", "y"])
+def test_a_size_is_measured_about_the_middle_along_either_axis(along):
+    def waves(x, y):
+        return 0.5 + 0.2 * np.sin(0.3 * (x if along == "x" else y) + 0.1)
+
+    (found,) = told(dumped(waves, scale=1.25), "times as large")
+    assert found.charge.text.endswith(" is 0.8 times as large")
+
+
 @pytest.mark.parametrize("scale", [1.0, 1.0015, 0.9985])
 def test_a_size_that_is_nearly_right_is_not_told(scale):
     assert not told(dumped(smooth, scale=scale), "times as large")
