@@ -145,6 +145,10 @@ REFUSED = {
         f"OFF\n{BODY}".replace("3 1 2 3", "3 1 2 4"),
         "expected vertex indices from 0 to 3, got [1, 2, 4] in face 3 (1 corners in all)" + AGAIN,
     ),
+    "beyond the last vertex, in a long face": (
+        f"OFF\n4 5 6\n{V}9 0 1 2 3 0 1 2 3 4\n{F}",
+        "expected vertex indices from 0 to 3, got [0, 1, 2, 3, 0, 1, 2, 3] in face 0 (1 corners in all)" + AGAIN,
+    ),
     "an index that is none": (
         f"OFF\n{BODY}".replace("3 1 2 3", "3 1 2 .5"),
         "expected whole numbers below 2^53 as vertex indices, got others" + AGAIN,

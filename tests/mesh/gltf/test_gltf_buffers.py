@@ -86,7 +86,12 @@ def test_reference_to_nothing(folder):
     "uri", ["data:text/plain,abc", "data:;base64,@@@@", "data:;base64,AAA", "data:;base64,Ä", "data:"]
 )
 def test_data_that_is_not_base64(folder, uri):
-    assert message(referring(folder, uri)) == f"buffers[0].uri: expected data in base64, got {uri[:40]}...{AGAIN}"
+    assert message(referring(folder, uri)) == f"buffers[0].uri: expected data in base64, got {uri}...{AGAIN}"
+
+
+def test_of_long_data_that_is_not_base64_the_first_40_letters_are_told(folder):
+    told = message(referring(folder, "data:;base64," + "@" * 60))
+    assert told == f"buffers[0].uri: expected data in base64, got data:;base64,{'@' * 27}...{AGAIN}"
 
 
 def test_referenced_bytes_are_limited_together(folder, monkeypatch):
