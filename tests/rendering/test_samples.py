@@ -8,6 +8,7 @@ from scenes import around, sphere, written
 
 from sss_ref.errors import SceneError
 from sss_ref.pictures.png_file import srgb8
+from sss_ref.rendering import samples
 from sss_ref.rendering.fold import render
 from sss_ref.rendering.samples import MovedView, moved, offsets, render_samples
 from sss_ref.results.folder import save
@@ -117,3 +118,17 @@ def test_saved_and_verified(scene, sampled, tmp_path):
     path = folder / "manifest.json"
     path.write_text(path.read_text().replace('"samples": 2', '"samples": 3'))
     assert verify(folder, "kernel", 1).message.startswith("computation differs: buffer image, first at pixel")
+
+
+def test_the_sum_needs_84_bytes_of_each_pixel(scene, monkeypatch):
+    """Seven float32, of a sample, of all before it, and of their sum; told before any is drawn."""
+    asked = []
+
+    def refuse(*given):
+        asked.append(given)
+        raise SceneError("too much")
+
+    monkeypatch.setattr(samples, "check_memory", refuse)
+    with pytest.raises(SceneError, match="too much"):
+        render_samples(scene, 2)
+    assert asked == [(scene, {"coverage", "image"}, 84)]
