@@ -4,27 +4,12 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import NamedTuple
 
 import pytest
+from example_stages import by_fragments, by_turns
 
 from sss_ref.interpret.kernel.source import StageSource
 from sss_ref.interpret.kernel.stage_rows import StageCall
-from sss_ref.language import (
-    Array,
-    Texture,
-    exp2,
-    float32,
-    ivec2,
-    mat3,
-    max,
-    pow,
-    select,
-    stage,
-    texel_clamped,
-    vec2,
-    vec3,
-)
 from sss_ref.methods.stages import all_stages
 from sss_ref.passes import blur, phong, shadow_map, translucency
 
@@ -121,46 +106,6 @@ def test_float_literals_are_float32_constants():
     assert "F_0_5 = np.float32(0.5)" in text
     body = text.split("\ndef ")[1]
     assert "F_0_5" in body and " 0.5" not in body
-
-
-class Shown(NamedTuple):
-    """What both examples write."""
-
-    sums: vec2
-    power: float
-    lit: bool
-    base: float
-
-
-@stage(source="a test")
-def by_turns(
-    picture: Texture[vec2],
-    weights: Array[float],
-    count: int,
-    exponent: float,
-    pixel: ivec2,
-    value: float,
-    flag: bool,
-) -> Shown:
-    """A loop that has as many turns for all fragments; a power of a fragment, and one of a uniform."""
-    sums = vec2(0.0, value)
-    for tap in range(0, count):
-        sums = sums + texel_clamped(picture, pixel + ivec2(tap, -1)) * weights[tap]
-    power = pow(value, exponent) * exp2(exponent)
-    return Shown(sums, power, flag & (power < 0.5), value)
-
-
-@stage(source="a test")
-def by_fragments(
-    flags: Texture[bool], turned: mat3, always: bool, number: int, place: ivec2, direction: vec3, base: float
-) -> Shown:
-    """A loop that has as many turns as a fragment says, with a power inside; a matrix, a choice, whole numbers."""
-    total = 0.25
-    for turn in range(1, number + 2):
-        total = total + pow(base, float32(turn))
-    found = turned * -direction
-    lit = texel_clamped(flags, place) & always
-    return Shown(vec2(max(found.x, 0.0), found.z), select(lit, total, found.y), lit, base)
 
 
 @pytest.mark.parametrize(
