@@ -6,7 +6,7 @@ from exercise_answers import a_text, solutions
 from matplotlib import pyplot
 
 from sss_ref.course import checks
-from sss_ref.course.right_pictures import PLACES, right_and_own
+from sss_ref.course.right_pictures import PLACES, SIZE, right_and_own
 from sss_ref.course.together import compared, right_and_yours
 
 SOLUTIONS = solutions()
@@ -38,8 +38,44 @@ def test_what_is_no_stage_is_said_in_the_place_of_its_picture():
         ([0.0, 1.0], "yours, the same bits"),
         ([0.0, np.nextafter(np.float32(1), 0)], "yours: to the eye the same, other bits in 50%"),
         ([0.0, 0.5], "yours"),
+        ([0.0, 0.9961], "yours: to the eye the same, other bits in 50%"),
+        ([0.0, 0.9959], "yours"),
     ],
 )
 def test_a_title_says_how_the_two_compare(own, title):
     right, mine = np.array([[0, 1]], np.float32), np.array([own], np.float32)
     assert compared(right, mine) == title
+
+
+def test_of_a_wide_range_as_much_may_differ_as_the_eye_sees_of_it():
+    """.4 % of 10; and of many pixels one that differs is told as a hundredth."""
+    right = np.linspace(0, 10, 400, dtype=np.float32).reshape(20, 20)
+    for off, title in ((0.039, "yours: to the eye the same, other bits in 1%"), (0.041, "yours")):
+        own = right.copy()
+        own[3, 4] += off
+        assert compared(right, own) == title
+
+
+def test_where_stages_are_at_work():
+    """What a reader sees the right picture of: scenes by the paper's text, each with what shows its stage."""
+    text = {
+        "shadow_map.test": "slope",
+        "translucency.combine": "transmit",
+        "translucency.d_min": 0.1,
+        "translucency.exponent": 0.6,
+        "translucency.scale": 0.2,
+    }
+    mapped = text | {"irradiance_map.width": 256, "irradiance_map.height": 256}
+    assert SIZE == 256 and {
+        check.__name__: (place.scene, dict(place.overrides)) for check, place in PLACES.items()
+    } == {
+        "light_that_spreads": ("figure3_with", {"lights.0.intensity": 10.0}),
+        "lit_within_a_bias": ("figure3_with", text | {"shadow_map.bias_abs": 0.03}),
+        "matt_surface": ("figure3_with", text | {"phong.specular": 0.0}),
+        "stencilled": ("figure3_with", {"blur.pixel_scale": 6.0}),
+        "where_light_entered": ("figure3_with", text),
+        "mixed_with_phong": ("figure5", mapped | {"irradiance_map.image": "sqrt"}),
+        "albedo_after_the_blur": ("figure5", mapped | {"irradiance_map.image": "product"}),
+        "same_bits": ("figure1", {}),
+        "mended_lambert": ("figure5", mapped | {"irradiance_map.mode": "lambert"}),
+    }
