@@ -3,18 +3,12 @@
 from pathlib import Path
 
 import pytest
-from filled_scenes import text
+from filled_scenes import part, parts
 
-EXPECTED = Path(__file__).with_name("filled.txt").read_text(encoding="utf-8").split("\n\n")
-
-
-@pytest.fixture(scope="module")
-def found(tmp_path_factory):
-    return text(tmp_path_factory.mktemp("scene")).split("\n\n")
+EXPECTED = dict(zip(parts(), Path(__file__).with_name("filled.txt").read_text("utf-8").split("\n\n"), strict=True))
 
 
-@pytest.mark.parametrize("part", range(len(EXPECTED)), ids=[part.partition("\n")[0].strip("[]") for part in EXPECTED])
-def test_a_scene_is_filled_as_ever(found, part):
+@pytest.mark.parametrize("name", EXPECTED)
+def test_a_scene_is_filled_as_ever(name, tmp_path):
     """Where a default is meant to change, tests/support/filled_scenes.py says how."""
-    assert len(found) == len(EXPECTED)
-    assert found[part].strip() == EXPECTED[part].strip()
+    assert part(name, tmp_path) == EXPECTED[name].strip()

@@ -22,16 +22,21 @@ MANY = 9  # names given, of more only what their values are in the mean
 SHOWN = 16  # calls of an answer; of more only how many there are, and what they were called with in all
 
 
-def text() -> str:
-    """Fragments, then each exercise: what it asks, and what it says to what is a hundredth too much or too little."""
-    lines = ["[fragments]", *(f"{name}: {brief(value)}" for name, value in fragments(5).items())]
-    for check, solution in solutions().items():
-        if kind_of(check) == "port":  # compared with a rendering
-            continue
-        lines += ["", f"[{check.__name__}]", *asked(check, solution)]
-        if kind_of(check) == "line":
-            lines += [said(check, scaled(solution, factor)) for factor in (1.01, 0.99)]
-    return "\n".join(lines) + "\n"
+EXERCISES = {check.__name__: (check, answer) for check, answer in solutions().items() if kind_of(check) != "port"}
+
+
+def parts() -> list[str]:
+    """The names of all parts: the fragments, and each exercise but those that are compared with a rendering."""
+    return ["fragments", *EXERCISES]
+
+
+def part(name: str) -> str:
+    """What an exercise asks, and what it says to what is a hundredth too much or too little."""
+    if name == "fragments":
+        return "\n".join(["[fragments]", *(f"{each}: {brief(value)}" for each, value in fragments(5).items())])
+    check, solution = EXERCISES[name]
+    off = [said(check, scaled(solution, factor)) for factor in (1.01, 0.99)] if kind_of(check) == "line" else []
+    return "\n".join([f"[{name}]", *asked(check, solution), *off])
 
 
 def asked(check: Callable[[Any], None], solution: Any) -> Iterator[str]:
@@ -98,4 +103,4 @@ def brief(value: Any) -> str:
 
 
 if __name__ == "__main__":
-    print(text(), end="")
+    print("\n\n".join(map(part, parts())))

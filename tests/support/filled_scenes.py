@@ -34,18 +34,19 @@ SCENES: dict[str, dict[str, Any]] = {
 }
 
 
-def text(folder: Path) -> str:
-    """Every key of the first scene, then of each other one the keys that it has otherwise; folder: an empty one."""
+def parts() -> list[str]:
+    """The names of all parts: the scenes, and the materials' sums of Gaussians."""
+    return [*SCENES, "profiles"]
+
+
+def part(name: str, folder: Path) -> str:
+    """Every key of the first scene; of each other one the keys that it has otherwise. folder: an empty one."""
+    if name == "profiles":
+        return "\n".join(["[profiles]", *(f"{each} = {brief(rows)}" for each, rows in PROFILES.items())])
     (folder / "model.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-    base = keys_of({}, folder)
-    parts = []
-    for name, changes in SCENES.items():
-        found = keys_of(changes, folder)
-        before = base if changes else {}
-        lines = [f"{key} = {value}" for key, value in found.items() if before.get(key) != value]
-        parts.append("\n".join([f"[{name}]", *lines, *(f"no {key}" for key in before if key not in found)]))
-    rows = ["[profiles]", *(f"{name} = {brief(rows)}" for name, rows in PROFILES.items())]
-    return "\n\n".join([*parts, "\n".join(rows)]) + "\n"
+    found, before = keys_of(SCENES[name], folder), keys_of({}, folder) if SCENES[name] else {}
+    lines = [f"{key} = {value}" for key, value in found.items() if before.get(key) != value]
+    return "\n".join([f"[{name}]", *lines, *(f"no {key}" for key in before if key not in found)])
 
 
 def keys_of(changes: Mapping[str, Any], folder: Path) -> dict[str, str]:
@@ -77,4 +78,4 @@ if __name__ == "__main__":
     from tempfile import TemporaryDirectory
 
     with TemporaryDirectory() as folder:
-        print(text(Path(folder)), end="")
+        print("\n\n".join(part(name, Path(folder)) for name in parts()))

@@ -133,3 +133,94 @@ def test_a_light_in_the_middle_and_one_behind_the_eye_have_no_handle():
     view = camera_view(camera("free", position=[0.0, 0.0, 0.5], yaw=0.0, pitch=0.0))
     assert steering.handle(np.zeros(3), view, BALL) is None
     assert steering.handle(np.array([0.0, 0.0, 9.0]), view, BALL) is None
+
+
+# From (0, 0, 5) onto the middle of a ball of radius 1, with 90 degrees: there the picture is 10 units high.
+AHEAD = {"type": "look_at", "eye": [0.0, 0.0, 5.0], "fov_y": 90.0, "width": 64, "height": 64}
+FLIES = {"type": "free", "fov_y": 90.0, "width": 64, "height": 64}
+
+
+def seeing(table):
+    return TypeAdapter(Camera).validate_python(table)
+
+
+def test_a_tenth_of_the_height_is_a_unit():
+    assert steering.slid(seeing(AHEAD), BALL, 0.1, 0.2) == {"eye": [-1, -2, 5], "target": [-1, -2, 0]}
+    flat = seeing({"type": "orthographic", "eye": [0.0, 0.0, 5.0], "view_height": 3.0})
+    assert steering.slid(flat, BALL, 0.1, 0.2) == {"eye": [-0.3, -0.6, 5], "target": [-0.3, -0.6, 0]}
+
+
+@pytest.mark.parametrize(
+    ("z", "factor", "expected"),
+    [
+        (5.0, 0.5, 2.5),
+        (5.0, 2.0, 10.0),
+        (0.5, 0.5, 0.0),  # no nearer than a radius: half of that
+        (-5.0, 0.5, -5.5),  # the mesh is behind
+    ],
+)
+def test_one_that_flies_goes_a_share_of_the_way_to_the_mesh(z, factor, expected):
+    found = steering.zoomed(seeing({**FLIES, "position": [0.0, 0.0, z]}), BALL, factor)
+    assert found == {"position": [0, 0, pytest.approx(expected)]}
+
+
+def test_zooming_of_the_others():
+    assert steering.zoomed(seeing(AHEAD), BALL, 0.5) == {"eye": [0, 0, 2.5]}
+    assert steering.zoomed(camera("orbit"), BALL, 0.5) == {"distance": 2.5}
+    assert steering.zoomed(camera("orthographic"), BALL, 0.5) == {"view_height": 1.5}
+
+
+def test_flying_is_to_the_right_upwards_and_ahead():
+    flying = seeing({**FLIES, "position": [0.0, 0.0, 5.0]})
+    assert steering.flown(flying, BALL, (1.0, 2.0, 3.0)) == {"position": [1, 2, 2]}
+
+
+@pytest.mark.parametrize(("behind", "side"), [(False, 1), (True, -1)])
+def test_a_light_turns_about_its_target_as_fast_as_its_handle_moves(behind, side):
+    """The handle is 1.2 from the middle: 0.6 units of the picture are half a radian."""
+    view, place = camera_view(seeing(AHEAD)), (np.array([0.0, 0, 3]), np.zeros(3))
+    sine, cosine = 3 * np.sin(0.5), 3 * np.cos(0.5)
+    right = steering.light_moved(place, view, BALL, (0.06, 0.0), behind)
+    up = steering.light_moved(place, view, BALL, (0.0, 0.06), behind)
+    assert right == pytest.approx([side * sine, 0, cosine], abs=TINY)
+    assert up == pytest.approx([0, side * sine, cosine], abs=TINY)
+    beside = place[0] + (7, 0, 0), place[1] + (7, 0, 0)
+    assert steering.light_moved(beside, view, BALL, (0.06, 0.0), behind)[0] == pytest.approx(7 + side * sine, abs=TINY)
+
+
+@pytest.mark.parametrize(
+    ("position", "x", "y", "behind"),
+    [
+        ((0, 0, 3), 0.5, 0.5, False),
+        ((3, 0, 0), 0.62, 0.5, True),
+        ((0, 9, 0), 0.5, 0.38, True),
+        ((0, 0, -1), 0.5, 0.5, True),
+    ],
+)
+def test_where_a_handle_is(position, x, y, behind):
+    """1.2 beside the middle is .24 of half the height; a light straight above is behind the ball's outline."""
+    found = steering.handle(np.array(position, float), camera_view(seeing(AHEAD)), BALL)
+    assert found == {"x": x, "y": y, "behind": behind}
+
+
+def test_planes_are_a_tenth_off_the_mesh():
+    """The ball reaches from 4 to 6."""
+    assert steering.widened(seeing({**AHEAD, "near": 4.0, "far": 6.0}), BALL) == {}
+    assert steering.widened(seeing({**AHEAD, "near": 4.01, "far": 5.99}), BALL) == {"near": 3.6, "far": 6.6}
+    inside = seeing({**AHEAD, "eye": [0.0, 0.0, 0.5], "near": 1.0, "far": 1.2})
+    assert steering.widened(inside, BALL) == {"near": 0.01, "far": 1.65}
+
+
+def test_another_type_has_the_same_numbers():
+    to_free = steering.retyped(seeing(AHEAD), "free", BALL)
+    assert (to_free["position"], to_free["yaw"], to_free["pitch"], to_free["fov_y"]) == ([0, 0, 5], 0, 0, 90)
+    to_flat = steering.retyped(seeing(AHEAD), "orthographic", BALL)
+    assert (to_flat["eye"], to_flat["target"], to_flat["view_height"]) == ([0, 0, 5], [0, 0, 0], 10)
+    flat = seeing({"type": "orthographic", "eye": [0.0, 0.0, 5.0], "view_height": 3.0})
+    to_orbit = steering.retyped(flat, "orbit", BALL)
+    assert to_orbit["fov_y"] == 30 and to_orbit["distance"] == pytest.approx(1.5 / np.tan(np.radians(15)), rel=1e-5)
+
+
+@pytest.mark.parametrize(("degrees", "wrapped"), [(180.0, -180.0), (179.0, 179.0), (-180.0, -180.0), (541.0, -179.0)])
+def test_angles_run_from_minus_180_on(degrees, wrapped):
+    assert steering._wrapped(degrees) == wrapped
