@@ -1,6 +1,7 @@
 """Warnings of scenes that show nothing, each with the number that mends it; none for scenes that are right."""
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ from scenes import around, cube, sphere, written
 from sss_ref.mesh.mesh_file import load_mesh
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
+from sss_ref.scene.surprises import _far_light, _is_far
 from sss_ref.view.light_fit import Bounds
 
 
@@ -196,3 +198,35 @@ def test_millimetres_without_a_unit(ball, key, value, asking):
     assert load_scene(scene, **{key: value}).warnings[0] == expected
     assert not any("mm_per_unit" in line for line in load_scene(scene, **{key: value, "mm_per_unit": 1.0}).warnings)
     assert load_scene(scene).warnings == ()
+
+
+AROUND = Bounds(np.array([-3.0, -2, -1]), np.array([5.0, 6, 7]), np.array([1.0, 2, 3]), 4.0)
+
+
+@pytest.mark.parametrize(
+    ("falloff", "fainter"),
+    [("none", ""), ("inverse_square", " and lights.1.intensity = 0.0305")],
+)
+def test_a_light_too_far_from_a_large_mesh_that_lies_aside(falloff, fainter):
+    """A radius of 4: it comes to 4000 from the centre, by 4000/131072, and 32.8 times the square of that is 0.0305."""
+    light = SimpleNamespace(position=AROUND.centre + np.array([0, 0, 131072.0]), falloff=falloff, intensity=32.8)
+    (line,) = _far_light(AROUND, light, "lights.1")
+    assert line == (
+        "it is 1.31e+05 away, where float32 distances are 0.016 apart, and the mesh is 8 thick; "
+        f"set lights.1.position = [1, 2, 4003]{fainter}: from there its rays are as good as parallel"
+    )
+
+
+@pytest.mark.parametrize(
+    ("distance", "radius", "told"), [(2.0**16, 4.0, False), (2.0**17, 4.0, True), (2.0**17, 8.0, False)]
+)
+def test_a_spacing_of_a_thousandth_of_the_diameter_is_too_coarse(distance, radius, told):
+    """From 2^16 on numbers are 2^-7 = 0.0078 apart, from 2^17 on 0.0156; the mesh is 8 or 16 thick."""
+    bounds = Bounds(AROUND.low, AROUND.high, AROUND.centre, radius)
+    light = SimpleNamespace(position=AROUND.centre + np.array([distance, 0, 0]), falloff="none", intensity=1.0)
+    assert bool([*_far_light(bounds, light, "lights.0")]) == told
+
+
+@pytest.mark.parametrize(("away", "is_far"), [(400.0, False), (400.5, True), (-401.0, True)])
+def test_far_from_the_origin_is_a_hundred_radii(away, is_far):
+    assert _is_far(Bounds(AROUND.low, AROUND.high, np.array([0, away, 0]), 4.0)) == is_far
