@@ -57,3 +57,38 @@ def test_a_new_type_of_key_is_typed_as_it_is():
         "whole": False,
         "optional": True,
     }
+
+
+SLIDERS = {  # a key of each type of number -> its range, and whether it is whole
+    ("camera", "free", "yaw"): ((None, None), False),
+    ("phong", "ambient"): ((0, None), False),
+    ("phong", "shininess"): ((0, None), False),
+    ("mesh", "normal_strength"): ((0, 1000), False),
+    ("shadow_map", "kernel_scale"): ((0, 16384), False),
+    ("shadow_map", "lookup_inset"): ((0, 1), False),
+    ("camera", "orbit", "fov_y"): ((0, 180), False),
+    ("output", "exposure"): ((-20, 20), False),
+    ("shadow_map", "width"): ((1, 16384), True),
+    ("irradiance_map", "dilate"): ((0, 16384), True),
+    ("diffusion", "samples"): ((1, 255), True),
+    ("diffusion", "taps"): ((3, 255), True),
+}
+
+
+@pytest.mark.parametrize("place", SLIDERS, ids=".".join)
+def test_a_slider_has_the_range_that_a_key_may_have(place):
+    found = CONTROLS[place[:-1], place[-1]]
+    assert (found["kind"], (found["range"], found["whole"])) == ("number", SLIDERS[place])
+
+
+def test_keys_of_several_numbers_have_a_control_for_all_of_them():
+    kinds = {
+        ("mesh", "scale"): "vector",
+        ("lights", "point", "up"): "vector",
+        ("diffusion", "albedo"): "vector",
+        ("diffusion", "mean_free_path_mm"): "vector",
+        ("lights", "point", "color"): "color",
+        ("mesh", "unwrap"): "switch",
+    }
+    assert {place: CONTROLS[place[:-1], place[-1]]["kind"] for place in kinds} == kinds
+    assert CONTROLS[("translucency",), "d_min"]["range"] == (0, None)
