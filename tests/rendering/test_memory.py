@@ -5,7 +5,7 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from alternatives import methods_with_settings
+from alternatives import all_methods
 from PIL import Image
 
 from sss_ref.cache.spare_memory import SPARE
@@ -53,7 +53,7 @@ def test_the_final_image_needs_what_is_not_yet_let_go(small, method):
 
 
 def test_at_the_end_there_is_all_that_is_kept():
-    for method, _ in methods_with_settings():
+    for method in all_methods():
         written = Counter()
         for one in method.passes:
             for kind in [] if one.on_demand else one.outputs.values():

@@ -10,6 +10,7 @@ from sss_ref.scene.catalogue import METHODS, TECHNIQUES, method_of
 from sss_ref.scene_file import scattering, settings, viewpoints
 from sss_ref.scene_file.presets import FIXED, ONLY_PUBLISHED
 
+UNREAD = {("screen_space", "irradiance_map")}  # method, table
 LAYER = {"path": "any", "extinction_per_mm": [0.1, 0.2, 0.3]}
 
 
@@ -19,30 +20,48 @@ def alternatives(table, key):
     return [value for value in get_args(table.model_fields[key].annotation) if value not in only_published]
 
 
-def all_methods():
-    """The methods of `methods_with_settings`."""
-    return [method for method, _ in methods_with_settings()]
-
-
 @cache
-def methods_with_settings():
-    """Methods with their settings: all alternatives, three lights, a kernel in mm, maps, `published`.
+def all_methods():
+    """Methods of all alternatives, of three lights, a kernel in mm, maps, and preset `published`.
 
     How light falls off is one stage's affair, which no other alternative touches: it is tried beside them.
     """
-    choices = {
-        "method": METHODS,
-        "mesh.color": ((0.7, 0.4, 0.4), "material"),
-        "mesh.texture": (None, "any.png"),
-        "shadow_map.filter": alternatives(settings.ShadowMap, "filter"),
-        "shadow_map.test": alternatives(settings.ShadowMap, "test"),
-        "translucency.form": alternatives(scattering.TranslucencySettings, "form"),
-        "translucency.combine": alternatives(scattering.TranslucencySettings, "combine"),
-        "blur.mask": alternatives(scattering.Blur, "mask"),
-        "irradiance_map.mode": alternatives(settings.IrradianceMap, "mode"),
-        "irradiance_map.image": alternatives(settings.IrradianceMap, "image"),
-    }
+    return [*of_all_alternatives(), *map(method_of, map(settings_with, tried_beside()))]
+
+
+def of_all_alternatives():
+    """The methods of every combination of alternatives.
+
+    The settings of a table are checked once and put together with those of the others as they are. What a method does
+    not read it gets none of, so that it could not.
+    """
+    whole, tables = settings_with({}), {name: in_table(name, choices) for name, choices in together().items()}
+    for method in METHODS:
+        read = {name: [None] if (method, name) in UNREAD else there for name, there in tables.items()}
+        for chosen in product(*read.values()):
+            yield method_of(whole.model_copy(update={"method": method, **dict(zip(read, chosen, strict=True))}))
+
+
+def in_table(name, choices):
+    """A table of the settings with every combination of these choices, key -> values."""
     cases = [dict(zip(choices, values, strict=True)) for values in product(*choices.values())]
+    return [getattr(settings_with({f"{name}.{key}": value for key, value in case.items()}), name) for case in cases]
+
+
+def together():
+    """Table -> key -> the alternatives that are tried in all combinations."""
+    return {
+        "mesh": {"color": ((0.7, 0.4, 0.4), "material"), "texture": (None, "any.png")},
+        "shadow_map": {key: alternatives(settings.ShadowMap, key) for key in ("filter", "test")},
+        "translucency": {key: alternatives(scattering.TranslucencySettings, key) for key in ("form", "combine")},
+        "blur": {"mask": alternatives(scattering.Blur, "mask")},
+        "irradiance_map": {key: alternatives(settings.IrradianceMap, key) for key in ("mode", "image")},
+    }
+
+
+def tried_beside():
+    """The keys of further scenes, each of which tries something else."""
+    cases = []
     for method in METHODS:
         cases.append({"method": method, "lights": [{"position": [0.0, 0.0, 5.0]}] * 3})
         cases.append({"method": method, "lights.0.type": "directional"})
@@ -71,4 +90,4 @@ def methods_with_settings():
         ]
         cases += [{"method": technique, **case} for case in own]
     cases += [{"layers": [LAYER], "lights": [{"position": [0.0, 0.0, 5.0]}] * lights} for lights in (1, 3)]
-    return [(method_of(one), one) for one in map(settings_with, cases)]
+    return cases
