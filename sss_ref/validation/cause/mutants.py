@@ -6,6 +6,7 @@ or one term is missing, in the stage or in a function it calls; GLSL's own funct
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -38,13 +39,20 @@ class Mutant:
     """A stage with one mistake.
 
     line: the line as it should be. wrong: as it is in the mutant. inside: the function it is in, or "".
+    right, mistaken: the body of the stage, or of that function, without and with the mistake.
     """
 
     stage: Stage
-    body: tree.Body
+    right: tree.Body
+    mistaken: tree.Body
     line: str
     wrong: str
     inside: str = ""
+
+    @cached_property
+    def body(self) -> tree.Body:
+        """The body of the stage with the mistake, in a function wherever that is called."""
+        return _with_function(self.stage.body, self.right, self.mistaken) if self.inside else self.mistaken
 
     @property
     def description(self) -> str:
@@ -60,12 +68,10 @@ class Mutant:
 
 
 def mutants(stage: Stage) -> Iterator[Mutant]:
-    """Every mutant of a stage; a mistake in a function is there wherever it is called."""
-    for body, line, wrong in _of_body(stage.body):
-        yield Mutant(stage, body, line, wrong)
-    for name, function in _functions(stage.body).items():
-        for changed, line, wrong in _of_body(function):
-            yield Mutant(stage, _with_function(stage.body, function, changed), line, wrong, name)
+    """Every mutant of a stage."""
+    for name, body in {"": stage.body, **_functions(stage.body)}.items():
+        for mistaken, line, wrong in _of_body(body):
+            yield Mutant(stage, body, mistaken, line, wrong, name)
 
 
 Changed = tuple[tree.Body, str, str]  # the body, the line before, the line after
