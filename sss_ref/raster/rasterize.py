@@ -53,8 +53,10 @@ def visibility(
     pool: what the bands are spread over; None draws them in this thread. bins: what `bin_pieces` gives, if that is done
     already; no bit depends on either. The nearest piece wins (LESS), of two at the same depth the earlier.
     """
-    bins = bins or bin_pieces(primitives, viewport)
-    return drawn(primitives, bins, viewport, pool, FIRST)
+    shape = (viewport.height, viewport.width)
+    target = Target(SPARE.empty(shape, np.int32), SPARE.empty(shape, np.float32))
+    draw(primitives, bins or bin_pieces(primitives, viewport), (viewport.subpixel_bits, FIRST), pool, target)
+    return target
 
 
 def first_and_last(
@@ -62,22 +64,21 @@ def first_and_last(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """What `visibility` gives, and between the two the visible piece where of two at the same depth the later wins."""
     bins = bins or bin_pieces(primitives, viewport)
-    first, depth = drawn(primitives, bins, viewport, pool, FIRST)
-    return first, drawn(primitives, bins, viewport, pool, LAST).piece, depth
+    first, depth = visibility(primitives, viewport, pool, bins)
+    last = Target(SPARE.empty(first.shape, np.int32), depth)  # which is the same again
+    draw(primitives, bins, (viewport.subpixel_bits, LAST), pool, last)
+    return first, last.piece, depth
 
 
-def drawn(primitives: Primitives, bins: Bins, viewport: Viewport, pool: Executor | None, order: int) -> Target:
-    """The target with all pieces drawn into it; order: FIRST or LAST, which of several at the same depth stays."""
-    shape = (viewport.height, viewport.width)
-    target = Target(SPARE.empty(shape, np.int32), SPARE.empty(shape, np.float32))
+def draw(primitives: Primitives, bins: Bins, rules: tuple[int, int], pool: Executor | None, target: Target) -> None:
+    """Draw all pieces into a target; rules: (subpixel bits, FIRST or LAST: which of several at one depth stays)."""
 
-    def draw(band: int) -> None:
-        draw_band(primitives, bins, band, (viewport.subpixel_bits, order), target)
+    def one(band: int) -> None:
+        draw_band(primitives, bins, band, rules, target)
 
     run: Callable[..., Iterable[None]] = map if pool is None else pool.map
-    for _ in run(draw, range(len(bins.start) - 1)):
+    for _ in run(one, range(len(bins.start) - 1)):
         pass
-    return target
 
 
 def bin_pieces(primitives: Primitives, viewport: Viewport, band_rows: int = BAND_ROWS) -> Bins:
@@ -125,7 +126,7 @@ def sampled(primitives, piece, axis, size, bits):
 
 @compiled
 def draw_band(primitives, bins, band, rules, target):
-    """Draw the pieces of one band; rules: (subpixel bits, order as in `drawn`)."""
+    """Draw the pieces of one band; rules: as in `draw`."""
     height, width = target.depth.shape
     bits, order = rules
     first_row = band * bins.band_rows
@@ -186,7 +187,7 @@ def key_of(depth, number):
 
 @compiled
 def take_pieces(keys, order, pieces):
-    """The pieces of some keys, int32, -1 for none; order: as in `drawn`."""
+    """The pieces of some keys, int32, -1 for none; order: FIRST or LAST."""
     for column in range(len(pieces)):
         key = keys[column]
         pieces[column] = np.int32(-1) if key == NOTHING else np.int32((key & LAST) ^ order)
