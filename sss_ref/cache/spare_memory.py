@@ -12,7 +12,7 @@ import numpy as np
 
 LARGEST = 256 * 2**20  # bytes of a buffer whose memory is kept
 SMALLEST = 2**20  # bytes; smaller ones cost less than the search
-MOST = 768 * 2**20  # bytes kept, those longest unused let go first
+MOST = 1280 * 2**20  # bytes kept: all of an image of 4096^2; those longest unused are let go first
 
 
 class Spare:
