@@ -5,6 +5,7 @@ It is of use to whoever renders again and again in one process. The largest buff
 
 import ctypes
 import weakref
+from math import prod
 from threading import RLock
 from typing import Any
 
@@ -25,7 +26,7 @@ class Spare:
 
     def empty(self, shape: tuple[int, ...], dtype: Any) -> np.ndarray:
         """An array as `np.empty` gives it; its memory comes back when no array has a part in it any more."""
-        size = int(np.prod(shape)) * np.dtype(dtype).itemsize
+        size = prod(shape) * np.dtype(dtype).itemsize
         if not SMALLEST <= size <= LARGEST:
             return np.empty(shape, dtype)
         block = self.taken(size)

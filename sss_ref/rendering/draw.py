@@ -118,8 +118,7 @@ def shade(
     """Run the stages of a pass once; the named outputs. Raises RenderError where one is not finite (rule A6)."""
     kinds, size = this_pass.values, (fragments.width, fragments.height)
     outputs = {name: SPARE.empty(shape_of(kinds[name], *size), dtype_of(kinds[name])) for name in names}
-    clear = {name: np.broadcast_to(scene.clear(name), CHANNELS[kinds[name]]) for name in names}
-    backgrounds = {name: value.astype(dtype_of(kinds[name])) for name, value in clear.items()}
+    backgrounds = {name: np.full(CHANNELS[kinds[name]], scene.clear(name), dtype_of(kinds[name])) for name in names}
     work = Work(this_pass, fragments, scene.uniforms, buffers, outputs, backgrounds)
     finite = machine.interpreter.run_fragments(work, machine.pool)
     if machine.stops and not finite:

@@ -12,7 +12,7 @@ from sss_ref.scene.scene import Scene
 from sss_ref.scene.unseen import framing, unseen
 
 HALF_A_STEP = 1.2e-4  # linear: half of the smallest step that a picture of 8 bits, sRGB, makes; it is the one at black
-SPARSE = 16  # every so many pixels a side are looked at first, for nearly every image shows itself there
+SPARSE = 64  # every so many pixels a side are looked at first, for nearly every image shows itself there
 GREY, BLACK = [0.5, 0.5, 0.5], [0.0, 0.0, 0.0]  # backgrounds that set off what is dark, and what is bright
 
 

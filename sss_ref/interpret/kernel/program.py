@@ -1,7 +1,8 @@
 """A program: the calls that a strip of fragments goes through, one after the other, and what each of them gets."""
 
-from collections.abc import Sequence
-from typing import Any, NamedTuple
+from collections.abc import Iterable, Sequence
+from itertools import accumulate, chain
+from typing import NamedTuple
 
 import numpy as np
 
@@ -75,21 +76,22 @@ class Program:
     def calls(self) -> Calls:
         """All of them, as the loop over strips takes them."""
         addresses, singles, rows, uniforms, tables = zip(*self.listed, strict=True) if self.listed else [()] * 5
-        values = [np.concatenate([np.empty(0, FLOAT32), *each]) for each in uniforms]
         return Calls(
             np.array(addresses, np.int64),
             np.array(singles, np.bool_),
-            *_joined(rows, np.int64, STRIP),
-            *_joined(values, FLOAT32),
-            *_joined(tables, np.int64),
+            _begins(map(len, rows)),
+            STRIP * np.array([*chain(*rows)], np.int64),
+            _begins(sum(map(len, each)) for each in uniforms),
+            np.concatenate([np.empty(0, FLOAT32), *chain(*uniforms)]),
+            _begins(map(len, tables)),
+            np.array([*chain(*tables)], np.int64),
         )
 
 
-def _joined(parts: Sequence[Any], dtype: Any, factor: int = 1) -> tuple[np.ndarray, np.ndarray]:
-    """Where each part begins, int64 (C,), and all parts one after the other."""
-    lengths = np.array([len(part) for part in parts], np.int64)
-    whole = np.concatenate([np.empty(0, dtype), *(np.asarray(part, dtype) for part in parts)])
-    return np.cumsum(lengths) - lengths, (whole * factor if factor > 1 else whole).astype(dtype)
+def _begins(lengths: Iterable[int]) -> np.ndarray:
+    """Where each of several parts of these lengths begins, int64 (C,), if they lie one after the other."""
+    *begins, _ = accumulate(lengths, initial=0)
+    return np.array(begins, np.int64)
 
 
 @compiled
