@@ -84,33 +84,32 @@ def draw(primitives: Primitives, bins: Bins, rules: tuple[int, int], pool: Execu
 def bin_pieces(primitives: Primitives, viewport: Viewport, band_rows: int = BAND_ROWS) -> Bins:
     """Sort the pieces into the bands they touch (counting sort, which keeps their order)."""
     band_of_row = np.arange(viewport.height) // band_rows
-    counts = np.zeros(band_of_row[-1] + 2, np.int64)
-    count_members(primitives, band_of_row, viewport.subpixel_bits, counts[1:])
+    counts, bands = np.zeros(band_of_row[-1] + 2, np.int64), np.empty((len(primitives.corners), 2), np.int32)
+    count_members(primitives, band_of_row, viewport.subpixel_bits, bands, counts[1:])
     start = np.cumsum(counts)
     members = np.empty(start[-1], np.int32)
-    list_members(primitives, band_of_row, viewport.subpixel_bits, start.copy(), members)
+    list_members(bands, start.copy(), members)
     return Bins(band_rows, start, members)
 
 
 @compiled
-def count_members(primitives, band_of_row, bits, counts):
-    """Add to `counts` (int64 (B,)) how many pieces touch each band."""
+def count_members(primitives, band_of_row, bits, bands, counts):
+    """Fill in the bands of each piece, (P, 2), from the first to one past the last; add to their `counts`, (B,)."""
     for piece in range(len(primitives.corners)):
         first, last = sampled(primitives, piece, 1, len(band_of_row), bits)
-        if first <= last:
-            for band in range(band_of_row[first], band_of_row[last] + 1):
-                counts[band] += 1
+        begin, end = (band_of_row[first], band_of_row[last] + 1) if first <= last else (0, 0)
+        bands[piece, 0], bands[piece, 1] = begin, end
+        for band in range(begin, end):
+            counts[band] += 1
 
 
 @compiled
-def list_members(primitives, band_of_row, bits, following, members):
+def list_members(bands, following, members):
     """Write each piece into `members` where its bands go on: following (int64) starts as the bands' first places."""
-    for piece in range(len(primitives.corners)):
-        first, last = sampled(primitives, piece, 1, len(band_of_row), bits)
-        if first <= last:
-            for band in range(band_of_row[first], band_of_row[last] + 1):
-                members[following[band]] = piece
-                following[band] += 1
+    for piece in range(len(bands)):
+        for band in range(bands[piece, 0], bands[piece, 1]):
+            members[following[band]] = piece
+            following[band] += 1
 
 
 @compiled
