@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-LARGEST = 256 * 2**20  # bytes of a buffer whose memory is kept
+LARGEST = 192 * 2**20  # bytes of a buffer whose memory is kept: three channels of 4096^2
 SMALLEST = 2**20  # bytes; smaller ones cost less than the search
 MOST = 1280 * 2**20  # bytes kept: all of an image of 4096^2; those longest unused are let go first
 
