@@ -23,7 +23,7 @@ from sss_ref.rendering import draw
 FUNCTION = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_int64, *[ctypes.c_void_p] * 3)
 AROUND: list[tuple[ModuleType, str, str]] = [  # what is no call of a program: its module, its name, what it is told as
     (draw, "assemble", "clip, project, snap"),
-    (rasterize, "bin_pieces", "sort triangles into bands"),
+    (draw, "bin_pieces", "sort triangles into bands"),
     (rasterize, "draw_band", "coverage and depth"),
     (finite, "largest_magnitude", "look for NaN"),
 ]
