@@ -55,7 +55,7 @@ def refill(stream, block):
 def whole_numbers(low: np.ndarray, high: np.ndarray, seed: int = 0) -> np.ndarray:
     """One whole number of each range, low <= n < high: low + floor(w (high - low) / 2^32), int64 (N,).
 
-    low, high: int64 (N,), less than 2^32 apart. w: the first word of the stream of the item with the range's place.
+    low, high: int64 (N,), less than 2^32 apart. The word w is the first of the stream of the item of the range's place.
     """
     item = np.arange(len(low), dtype=np.uint64)
     first = np.zeros_like(item)
