@@ -30,7 +30,7 @@ class Puzzle:
     wrong: np.ndarray = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "wrong", self.check.where & (outcome_map(self.check) == FAIL))
+        object.__setattr__(self, "wrong", outcome_map(self.check) == FAIL)
 
     def fit(self, holds: np.ndarray) -> Fit:
         """The shares of the wrong and of the right pixels on which something holds, bool (H, W)."""

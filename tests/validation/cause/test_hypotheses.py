@@ -1,6 +1,7 @@
 """The cause by name: ports with one mistake each, and what must not be said of them."""
 
 from functools import cache
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -12,7 +13,8 @@ from sss_ref import with_stage
 from sss_ref.passes import shadow_map
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
-from sss_ref.validation.cause.hypothesis import SOURCE, Hypothesis
+from sss_ref.validation.cause import hypotheses as hypotheses_module
+from sss_ref.validation.cause.hypothesis import SOURCE, STATE, Hypothesis
 from sss_ref.validation.cause.mutants import mutants
 from sss_ref.validation.scope import Scope
 from sss_ref.validation.stage_by_stage import validate
@@ -117,3 +119,29 @@ def test_simple_explanations_come_before_mutants_and_whole_ones_before_others():
     fits = {"a": (1.0, 1.0, 3), "b": (0.99, 1.0, 0), "c": (1.0, 1.0, 1)}
     given = [Hypothesis(text, *fit, SOURCE) for text, fit in fits.items()]
     assert [each.text for each in sorted(given, key=lambda each: each.order)] == ["c", "a", "b"]
+
+
+def fit(text, share=1.0, rank=STATE):
+    return Hypothesis(text, share, 1.0, rank, SOURCE)
+
+
+@pytest.mark.parametrize(("wrong", "told"), [(7, ["cleared"]), (8, ["a"])])
+def test_of_fewer_than_eight_wrong_pixels_only_the_background_is_explained(monkeypatch, wrong, told):
+    monkeypatch.setattr(hypotheses_module, "backgrounds", lambda check, drawn: [("cleared", 1.0), ("beside", 0.5)])
+    monkeypatch.setattr(hypotheses_module, "_in_turn", lambda puzzle: iter([[fit("a")]]))
+    puzzle = SimpleNamespace(wrong=np.arange(20) < wrong, check=None, drawn=None)
+    found = hypotheses_module.hypotheses(puzzle)
+    assert [each.text for each in found] == told and found[0].kept == 1
+
+
+def test_once_a_kind_fits_no_other_is_tried_and_eight_are_told(monkeypatch):
+    def kinds(puzzle):
+        yield [fit("none", 0.5)]
+        yield [fit(str(number), 1 - number / 1000) for number in (9, 8, 7, 6, 5, 4, 3, 2, 1)]
+        raise AssertionError("tried on")
+
+    monkeypatch.setattr(hypotheses_module, "_in_turn", kinds)
+    found = hypotheses_module.hypotheses(SimpleNamespace(wrong=np.ones(8, bool)))
+    assert [each.text for each in found] == ["1", "2", "3", "4", "5", "6", "7", "8"]
+    monkeypatch.setattr(hypotheses_module, "_in_turn", lambda puzzle: [[fit("none", 0.5)]])
+    assert hypotheses_module.hypotheses(SimpleNamespace(wrong=np.ones(8, bool))) == []

@@ -143,6 +143,12 @@ def test_what_is_wrong_besides_is_left_out():
     assert np.allclose(shift(todo), (0.31, -0.17), rtol=0, atol=0.0011)
 
 
+def test_what_moved_otherwise_is_left_out_where_most_moved_alike():
+    todo, other = dumped(smooth, 0.31, -0.17), Drawn(smooth).at(-0.31, 0.17)
+    todo.case.drawing.buffers["seen"][:, :15] = other[:, :15]
+    assert np.allclose(shift(todo), (0.31, -0.17), rtol=0, atol=0.0011)
+
+
 @pytest.mark.parametrize(("x", "y"), [(0.0, 0.0), (0.5, -0.25), (-0.375, 0.75), (0.75, 0.875), (-0.9375, -0.25)])
 def test_numbers_are_searched_for_in_ever_smaller_steps(x, y):
     assert np.allclose(shift(dumped(numbered, x, y)), (x, y), rtol=0, atol=1 / 40)

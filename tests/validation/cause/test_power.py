@@ -5,11 +5,23 @@ import pytest
 from scenes import around, two_slabs, written
 
 from sss_ref.interpret.intervals.profile import PROFILES
+from sss_ref.language.types import Array, Texture, mat3, mat4, vec2, vec3
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.dumped import Drawing
-from sss_ref.validation.cause.power import power
+from sss_ref.validation.cause.power import (
+    Power,
+    Sensitivity,
+    Trial,
+    _changed,
+    _is_number,
+    _least,
+    _outermost,
+    _size,
+    _some,
+    power,
+)
 from sss_ref.validation.stage_by_stage import validate
 
 
@@ -142,3 +154,98 @@ def test_whether_a_picture_can_show_repeat_for_clamp(path, distance, shown):
     assert (REPEAT in blur.hidden) is not shown and REPEAT not in blur.unseen
     told = f"no difference here, another view or scene would show it: scatter_inside: {REPEAT}"
     assert (told in report.sensitivity) is not shown
+
+
+@pytest.mark.parametrize(
+    ("change", "relative", "told"),
+    [
+        (None, True, "wrap not even doubled"),
+        (None, False, "wrap not even 1"),
+        (0.0123, True, "wrap 0.01"),
+        (0.0123, False, "wrap 0 to 0.01"),
+    ],
+)
+def test_a_change_that_is_seen_in_words(change, relative, told):
+    assert str(Sensitivity("wrap", change, relative)) == told
+
+
+@pytest.mark.parametrize("least", [1.0, 0.3, 1e-3, 1e-6, 2e-9])
+def test_the_least_change_is_found_by_halving_decades(least):
+    """To a 128th of the nine decades below 1, and never below what is seen."""
+    found = _least(lambda change: change >= least)
+    assert least <= found <= least * 10 ** (9 / 128) * (1 + 1e-12)
+
+
+def test_what_is_never_or_always_seen():
+    assert _least(lambda change: change > 1.0) is None
+    assert np.isclose(_least(lambda change: True), 10 ** (-9 + 9 / 128), rtol=1e-12, atol=0)
+
+
+def test_a_number_is_changed_by_a_share_or_by_itself():
+    assert _changed(np.float32(3), 0.25, True) == np.float32(3.75) and _changed(np.float32(3), 0.25, False) == 3.25
+    colour = _changed(vec3(*np.float32([1, 2, 4])), 0.5, True)
+    assert isinstance(colour, vec3) and [*colour] == [1.5, 3, 6]
+    assert _changed(Array(np.float32([1, 2])), 0.5, False).data.tolist() == [1.5, 2.5]
+    assert _changed(np.float32(3), 2.0**-25, True).dtype == np.float32
+
+
+def test_the_size_of_a_value_is_that_of_its_largest_number():
+    assert _size(np.float32(-3)) == 3 and _size(vec3(*np.float32([1, -4, 2]))) == 4
+    assert _size(Array(np.float32([[0, -2], [1, 0]]))) == 2
+
+
+@pytest.mark.parametrize(
+    ("value", "is_one"),
+    [
+        (np.float32(1), True),
+        (vec3(*np.float32([1, 2, 3])), True),
+        (Array(np.float32([1])), True),
+        (Array(np.int32([1])), False),
+        (np.int32(1), False),
+        (Texture(np.zeros((1, 1), np.float32)), False),
+        (mat3(np.eye(3)), False),
+        (mat4(np.eye(4)), False),
+        (np.zeros(3, np.float32), False),
+    ],
+)
+def test_which_inputs_are_numbers_that_somebody_sets(value, is_one):
+    assert _is_number(value) is is_one
+
+
+def trial(expected, reach):
+    return Trial(None, {"lit": np.float64(expected)}, {"lit": np.float64(reach)})
+
+
+def test_what_is_out_of_reach_is_seen_and_what_differs_changes():
+    one = trial([[1.0, 2.0], [3.0, 4.0]], 0.5)
+
+    def lit(*columns):
+        return {"lit": vec2(*(np.float32(column) for column in columns))}
+
+    assert (
+        not one.sees(lit([1.5, 3], [2, 3.5]))
+        and one.sees(lit([1.75, 3], [2, 4]))
+        and one.sees(lit([np.nan, 3], [2, 4]))
+    )
+    assert not one.sees({"other": vec2(np.float32(9), np.float32(9))})
+    assert not one.changes(lit([1, 3], [2, 4])) and one.changes(lit([1, 3], [2, 4.25])) and not one.changes({})
+    assert not trial([[np.nan]], 1.0).changes({"lit": np.float32([np.nan])})
+    assert not trial([[1.0], [1.0]], 1.0).changes({"lit": np.float32(1)})
+
+
+def test_the_outermost_pixels_are_those_of_the_first_and_last_row_and_column():
+    pixels = np.argwhere(np.ones((4, 3)))[1:]  # without a corner
+    outer = {tuple(each) for each in _outermost(pixels).tolist()}
+    assert outer == {tuple(each) for each in pixels.tolist()} - {(1, 1), (2, 1)}
+
+
+@pytest.mark.parametrize(("count", "kept"), [(3, 3), (12, 12), (13, 12), (100, 12)])
+def test_of_many_mutants_twelve_are_tried_in_their_order(count, kept):
+    found = _some(list(range(count)))
+    assert len(found) == len(set(found)) == kept and found == sorted(found) == _some(list(range(count)))
+    assert count == kept or found != list(range(kept))
+
+
+def test_a_stage_is_told_with_its_numbers():
+    numbers = Sensitivity("x", 0.5, True), Sensitivity("y", None, True)
+    assert str(Power("ratio", numbers, 3, 2, ("a",))) == "ratio: x 0.5, y not even doubled"

@@ -7,7 +7,7 @@ from scenes import around, sphere, two_slabs, written
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.stage_by_stage import validate
-from sss_ref.validation.verdict.clusters import Whereabouts, Zone, _sentence
+from sss_ref.validation.verdict.clusters import Whereabouts, Zone, _sentence, _varies
 
 
 def rendered(path, method="screen_space"):
@@ -146,3 +146,67 @@ def test_both_triangles_where_they_differ(slabs):
     ours = slabs["triangle"][found.first.at[1], found.first.at[0]]
     assert found.first.triangles == (ours, 99)
     assert ("no triangle" if ours < 0 else f"triangle {ours}") + " or triangle 99" in str(found.first)
+
+
+def sentence(wrong, zones=(), triangles=None):
+    """What is said of 100 pixels of which so many are wrong, each of a triangle of its own if none are given."""
+    where, are_wrong = np.ones((10, 10), bool), (np.arange(100) < wrong).reshape(10, 10)
+    triangles = np.arange(100) if triangles is None else np.array(triangles)
+    return _sentence(zones, triangles.reshape(10, 10), where, are_wrong)
+
+
+def test_wrong_everywhere_begins_at_nine_of_ten():
+    assert sentence(90) == "wrong everywhere: 90% of the pixels compared"
+    assert sentence(89) == "the wrong pixels, 89.0% of those compared, lie in no particular kind of place"
+
+
+@pytest.mark.parametrize(
+    ("wrong", "on_it", "of_it", "told"),
+    [
+        (20, 18, 49, "90% of the wrong pixels lie on triangle 7"),
+        (20, 17, 49, None),  # fewer than nine of ten of the wrong ones
+        (20, 18, 50, None),  # it is half of all
+        (20, 20, 20, "100% of the wrong pixels lie on triangle 7"),
+    ],
+)
+def test_one_triangle_holds_nine_of_ten_and_is_less_than_half(wrong, on_it, of_it, told):
+    triangles = [*[7] * on_it, *range(1000, 1000 + wrong - on_it), *[7] * (of_it - on_it)]
+    triangles += range(2000, 2100 - len(triangles))
+    said = sentence(wrong, triangles=triangles)
+    assert said == told if told else "in no particular kind of place" in said
+
+
+def test_what_is_no_triangle_is_none():
+    assert "in no particular kind of place" in sentence(20, triangles=[-1] * 20 + [*range(80)])
+    assert sentence(20, triangles=[0] * 20 + [*range(1, 81)]) == "100% of the wrong pixels lie on triangle 0"
+
+
+@pytest.mark.parametrize(
+    ("wrong", "zone", "stands_out"),
+    [
+        (10, Zone("in shadow", 6, 30), True),  # six of ten, and twice as often
+        (10, Zone("in shadow", 5, 10), False),
+        (10, Zone("in shadow", 6, 31), False),
+        (10, Zone("in shadow", 0, 0), False),
+        (80, Zone("in shadow", 80, 80), True),
+        (80, Zone("in shadow", 79, 79), False),
+        (80, Zone("in shadow", 80, 81), False),
+    ],
+)
+def test_a_zone_stands_out_with_most_of_the_wrong_pixels_and_few_of_all(wrong, zone, stands_out):
+    share = f"{zone.wrong / wrong:.0%} of the wrong pixels lie in shadow, as {zone.compared}.0% of all do"
+    said = sentence(wrong, (zone,))
+    assert said == share if stands_out else "in no particular kind of place" in said
+
+
+def test_of_zones_the_one_that_stands_out_most_is_named():
+    zones = Zone("at the outline", 8, 20), Zone("in shadow", 7, 10), Zone("where lit is 1", 9, 30)
+    assert sentence(10, zones) == "70% of the wrong pixels lie in shadow, as 10.0% of all do"
+
+
+def test_a_pixel_varies_with_any_of_its_eight_neighbours():
+    for row, column in np.ndindex(3, 3):
+        values = np.zeros((3, 3), int)
+        values[row, column] = 1
+        assert _varies(values)[1, 1] and np.array_equal(_varies(values), naive_varies(values))
+    assert not _varies(np.ones((1, 1), int)).any()

@@ -10,6 +10,8 @@ from sss_ref.numerics.bounded import Bounded
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.stage_by_stage import validate
+from sss_ref.validation.verdict.background import Background
+from sss_ref.validation.verdict.verdict import Verdict, WrongPixel
 
 
 @pytest.fixture(scope="module")
@@ -74,3 +76,61 @@ def test_a_pass_that_lets_much_of_the_range_pass_says_so_and_what_would_narrow_i
     for narrow in (alone, oracle.buffers):
         report = validate(oracle, narrow, explain=False)
         assert report.summary == f"pass: {len(narrow)} buffers, every stage gives what it should"
+
+
+def verdict_of(**changed):
+    """A verdict on 100 pixels, all of which are right beyond doubt, but for what is changed."""
+    given = dict.fromkeys(("compared", "equal", "within", "bounded"), 100)
+    given |= dict.fromkeys(("ambiguous", "unbounded", "undefined"), 0)
+    return Verdict("pass", "stage", "lit", ulps=(), widths=None, **(given | changed))
+
+
+def test_pixels_are_counted_once_each():
+    verdict = verdict_of(within=70, ambiguous=20, unbounded=10, undefined=5)
+    assert verdict.outcomes == (40, 20, 25, 5, 10) and verdict.failed and not verdict.passed and not verdict.empty
+    assert verdict.decided == 0.85
+    assert replace(verdict, comparable=200).decided == 85 / 200 and verdict_of(compared=0, within=0).decided == 0
+
+
+@pytest.mark.parametrize(
+    ("changed", "empty", "passed"),
+    [
+        ({}, False, True),
+        ({"unbounded": 99}, False, True),
+        ({"unbounded": 100}, True, False),
+        ({"unbounded": 60, "undefined": 40, "within": 60}, True, False),
+        ({"unbounded": 60, "undefined": 39, "within": 60}, False, False),
+        ({"compared": 0, "within": 0}, True, False),
+        ({"within": 99}, False, False),
+        ({"background": Background(1, 1, "0", "1", (0, 0), True)}, False, False),
+        ({"unbounded": 100, "background": Background(1, 1, "0", "1", (0, 0), True)}, False, False),
+    ],
+)
+def test_what_passes_and_what_is_empty(changed, empty, passed):
+    verdict = verdict_of(**changed)
+    assert (verdict.empty, verdict.passed) == (empty, passed)
+
+
+@pytest.mark.parametrize(("passing", "loose"), [(0.1, True), (0.0999, False)])
+def test_a_tenth_of_the_range_is_loose(passing, loose):
+    assert verdict_of(passing=passing).loose is loose
+
+
+@pytest.mark.parametrize(
+    ("changed", "inherits"),
+    [({}, False), ({"chained": 100}, False), ({"chained": 99}, True), ({"chained": 99, "within": 99}, False)],
+)
+def test_a_right_stage_may_inherit_what_is_wrong(changed, inherits):
+    assert verdict_of(**changed).inherits is inherits
+
+
+def test_outcomes_are_estimates_where_some_were_not_bounded():
+    none = (False,) * 5
+    assert verdict_of(ambiguous=1).estimated == none and verdict_of(bounded=99).estimated == none
+    some = (True, True, False, False, True)
+    assert verdict_of(bounded=99, ambiguous=1).estimated == some == verdict_of(bounded=99, unbounded=1).estimated
+
+
+def test_a_wrong_pixel_in_words():
+    pixel = WrongPixel((3, 5), "1.5", "1.0", (-1, 0, 7), 2.0, 1.0)
+    assert str(pixel) == "at pixel 3,5 (no triangle or triangle 0 or triangle 7): 1.5, expected 1.0"

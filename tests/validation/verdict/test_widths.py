@@ -58,3 +58,29 @@ def test_the_share_let_pass_is_what_intervals_cover_of_the_range_from_0_to_the_l
     assert share_let_pass(column(1, 4), column(np.inf, 0, kind=np.float64)) == 0.5
     assert share_let_pass(column(0, 0), column(1, 1, kind=np.float64)) == 0
     assert share_let_pass(column(1, 4, kind=np.int32), column(1, 1, kind=np.float64)) == 0
+
+
+@pytest.mark.parametrize(
+    ("ulps", "text"), [(999.4, "999"), (1e3, "1k"), (999999, "1e+03k"), (1e6, "1M"), (0.4, "0"), (12.6, "13")]
+)
+def test_letters_begin_at_a_thousand_and_a_million(ulps, text):
+    assert compact(ulps) == text
+
+
+@pytest.mark.parametrize(("wide", "most"), [(5, 0.0), (6, 8.0), (100, 8.0)])
+def test_five_of_a_hundred_may_be_wider(wide, most):
+    reach = column(*[4.0] * wide, *[0.0] * (100 - wide), kind=np.float64) * ULP
+    found = widths_of(column(*[1.5] * 100), reach)
+    assert found.most == most and found.counts == (100 - wide, 0, wide, 0, 0, 0, 0, 0)
+
+
+def test_a_pixel_is_wide_in_one_channel_and_exact_in_another():
+    found = widths_of(np.float32([[1.5, 1.5], [1.5, 1.5]]), np.array([[ULP, 0], [0, 0]]))
+    assert found.counts == (3, 0, 1, 0, 0, 0, 0, 0) and found.most == 2
+
+
+def test_a_range_begins_at_0_and_channels_without_any_do_not_count():
+    assert share_let_pass(column(-4, 4), column(1, 0, kind=np.float64)) == 0.125 / 2
+    two = np.float32([[1, 0], [4, 0]])
+    assert share_let_pass(two, np.array([[1.0, 9.0], [1.0, 9.0]])) == (0.5 + 0.25) / 2
+    assert share_let_pass(column(2, 4), np.zeros((2, 1))) == 0
