@@ -15,6 +15,7 @@ from sss_ref.validation.cause.hypothesis import INPUT, NUMBER, SETTING, STATE
 from sss_ref.validation.cause.lying_off import Projected, fitted_shift, lying_off, planes_of
 from sss_ref.validation.cause.redrawn import Redrawing, lies
 from sss_ref.validation.clock import Limit
+from sss_ref.validation.verdict.outcomes import FAIL, outcome_map
 
 SIDE = 48
 X, Y = 0.31, -0.17  # pixels
@@ -141,6 +142,23 @@ def test_what_is_wrong_besides_is_left_out():
     todo.case.drawing.buffers["seen"][:, :12] += 1
     todo.case.drawing.buffers["seen"][3, 20:] = np.nan
     assert np.allclose(shift(todo), (0.31, -0.17), rtol=0, atol=0.0011)
+
+
+def test_it_is_measured_on_the_buffer_itself_if_that_holds_numbers():
+    todo = dumped(smooth, 0.31, -0.17)
+    todo.case.drawing.buffers["depth"] = Drawn(smooth).at(2.0, 1.0)
+    assert np.allclose(shift(todo), (0.31, -0.17), rtol=0, atol=0.0011)
+    todo.case.drawing.buffers["seen"] = np.zeros((HEIGHT, WIDTH), np.int32)
+    assert shift(todo) == (2.0, 1.0)
+
+
+@pytest.mark.parametrize("buffer", ["light_depth", "light_triangle"])
+def test_a_draw_is_judged_by_its_own_buffer(oracle, buffer):
+    found = draw_of(oracle, buffer, {name: oracle[name] for name in ("light_depth", "light_triangle")})
+    check = found.judged({}, PROFILES["vulkan"])
+    assert check.buffer == buffer and not (outcome_map(check) == FAIL).any()
+    moved = Projected(found, LIGHT).uniforms(3.0, 0.0)
+    assert (outcome_map(found.judged(moved, PROFILES["vulkan"])) == FAIL).any()
 
 
 def test_what_moved_otherwise_is_left_out_where_most_moved_alike():
