@@ -73,7 +73,8 @@ def _distance_picture(check: Check, step: int) -> np.ndarray:
     )
     with np.errstate(all="ignore"):
         apart = np.abs(got - expected)
-        share = np.where(apart > 0, apart / reach, 0.0).max(axis=-1)
+        same = (got == expected) | (np.isnan(got) & np.isnan(expected))
+        share = np.where(same, 0.0, apart / reach).max(axis=-1)
         decades = np.nan_to_num(np.log10(share), nan=DECADES, posinf=DECADES, neginf=-DECADES)
     shown = tiles.RAMP[tiles.stretched(_most_in_blocks(decades, step), -DECADES, DECADES)]
     return tiles.over_ground(shown, _most_in_blocks(check.where.astype(np.uint8), step) != 0)

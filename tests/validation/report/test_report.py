@@ -2,6 +2,7 @@
 
 import json
 import shutil
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,8 +13,11 @@ from sss_ref.cli import main
 from sss_ref.errors import SceneError
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
+from sss_ref.validation.report.report import Report
 from sss_ref.validation.report.report_data import as_json
 from sss_ref.validation.report.report_page import as_html
+from sss_ref.validation.verdict.clusters import Clusters
+from sss_ref.validation.verdict.verdict import Verdict, WrongPixel
 
 SMALL = ["--size", "48x48", "--set", "shadow_map.width=48", "--set", "shadow_map.height=48", "--interpreter", "arrays"]
 OVERRIDES = {f"{t}.{s}": 48 for t in ("camera", "shadow_map") for s in ("width", "height")}
@@ -221,3 +225,64 @@ def test_a_failing_rasterizer_has_no_lines_to_show(tmp_path):
     found = sss_ref.validate(one, other.buffers)
     assert found.finding.section is None and found.culprit.stage == "rasterizer"
     assert "rasterizer" in as_html(found, "title") and not as_json(found)["passed"]
+
+
+def verdict_of(**changed):
+    """A verdict on 100 pixels that are right."""
+    given = dict.fromkeys(("compared", "equal", "within", "bounded", "comparable"), 100)
+    given |= dict.fromkeys(("ambiguous", "unbounded", "undefined"), 0)
+    return Verdict("camera", "phong_shading", "phong", **(given | {"ulps": (), "widths": None} | changed))
+
+
+@pytest.mark.parametrize(
+    ("count", "told"),
+    [
+        (0, ""),
+        (1, "; dump b0 to narrow"),
+        (4, "; dump b0, b1, b2, b3 to narrow"),
+        (5, "; dump b0, b1, b2, b3, 1 more to narrow"),
+        (9, "; dump b0, b1, b2, b3, 5 more to narrow"),
+    ],
+)
+def test_four_buffers_that_would_narrow_bounds_are_named(count, told):
+    one = verdict_of(passing=0.25, narrowing=tuple(f"b{k}" for k in range(count)))
+    summary = Report((one,), ()).summary
+    start = "pass: 1 buffers, every stage gives what it should; phong: bounds so wide that 25% of its range passes"
+    assert summary == start + told
+
+
+@pytest.mark.parametrize(
+    ("count", "told"),
+    [
+        (1, ""),
+        (2, ", or one before it whose output was not given (a/s0),"),
+        (7, ", or one before it whose output was not given (a/s0, a/s1, a/s2, a/s3, a/s4, a/s5),"),
+        (8, ", or one before it whose output was not given (1 more, a/s1, a/s2, a/s3, a/s4, a/s5, a/s6),"),
+        (10, ", or one before it whose output was not given (3 more, a/s3, a/s4, a/s5, a/s6, a/s7, a/s8),"),
+    ],
+)
+def test_six_suspects_are_named_the_nearest_ones(count, told):
+    wrong = verdict_of(within=75, suspects=tuple(f"a/s{k}" for k in range(count)))
+    said = (
+        f"fail: stage phong_shading of pass camera{told} is the first that is wrong: 25.0% of the pixels of phong are "
+    )
+    assert Report((wrong,), ()).summary.startswith(said + "out of reach, worst ")
+
+
+@pytest.mark.parametrize(
+    ("comparable", "told"), [(111, "pass: "), (112, "pass as far as was judged, 89% of the pixels")]
+)
+def test_nine_of_ten_pixels_are_nearly_the_whole(comparable, told):
+    assert Report((verdict_of(comparable=comparable),), ()).summary.startswith(told)
+
+
+@pytest.mark.parametrize(("failing", "few"), [(7, True), (8, False)])
+def test_fewer_than_eight_wrong_pixels_are_too_few_to_explain(failing, few):
+    pixel = WrongPixel((1, 2), "2.0", "1.0", (3,), 1234.5, 0.5)
+    wrong = verdict_of(within=100 - failing, first=pixel, worst=pixel, clusters=Clusters((), "they lie here"))
+    details = Report((wrong,), ()).details
+    far = "the worst pixel is 1.23e+03 ulp beyond its interval, 0.5 times its width"
+    assert details[:3] == [f"first {pixel}", far, "they lie here"]
+    assert details[3:] == ["too few pixels are wrong to say what would explain it"] * few
+    lost = replace(wrong, worst=replace(pixel, widths=float("inf")))
+    assert far not in Report((lost,), ()).details
