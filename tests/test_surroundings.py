@@ -13,9 +13,10 @@ from saved_scene import SCENE, TETRAHEDRON
 
 import sss_ref
 
-WORK = """
-import locale, sys
-locale.setlocale(locale.LC_ALL, "")  # as programs with windows do
+SET = 'import locale; locale.setlocale(locale.LC_ALL, "")  # as programs with windows do'
+WORK = f"""
+{SET}
+import sys
 from sss_ref.cli import main
 for line in sys.argv[1:]:
     if main(line.split("|")):
@@ -39,13 +40,16 @@ ELSEWHERE = "Prüf stände (2) & 50 %"
 def german(tmp_path_factory):
     """Settings of a German machine on the other side of the world, its numbers with a comma."""
     folder = tmp_path_factory.mktemp("locales")
-    localedef = shutil.which("localedef")
-    made = localedef and subprocess.run(
-        [localedef, "-i", "de_DE", "-f", "UTF-8", str(folder / "de_DE.UTF-8")], capture_output=True, check=False
-    )
-    if not made or made.returncode > 1:  # 1: it has warned
+    settings = {"LOCPATH": str(folder), "LC_ALL": "de_DE.UTF-8", "TZ": "Pacific/Chatham"}
+    if localedef := shutil.which("localedef"):
+        subprocess.run(
+            [localedef, "-i", "de_DE", "-f", "UTF-8", str(folder / "de_DE.UTF-8")], capture_output=True, check=False
+        )
+    if subprocess.run(
+        [sys.executable, "-c", SET], env=os.environ | settings, capture_output=True, check=False
+    ).returncode:
         pytest.skip("needs the sources of a German locale; install Debian's package locales")
-    return {"LOCPATH": str(folder), "LC_ALL": "de_DE.UTF-8", "TZ": "Pacific/Chatham"}
+    return settings
 
 
 def test_nothing_that_is_written_changes(german, tmp_path):
