@@ -27,7 +27,7 @@ class Device:
     def __init__(self, rows=None):
         self.made, self.written, self.queue = [], [], self
         self.rows = rows
-        self.layout = None
+        self.layout = self.size = None
 
     def create_texture(self, **given):
         self.made.append(given)
@@ -37,7 +37,7 @@ class Device:
         self.written.append((data.copy(), layout, size))
 
     def read_texture(self, place, layout, size):
-        self.layout = layout
+        self.layout, self.size = layout, size
         ends = [row.tobytes().ljust(layout["bytes_per_row"], b"\xee") for row in self.rows]
         return memoryview(b"".join(ends))
 
@@ -92,6 +92,7 @@ def test_rows_that_begin_each_256_bytes_are_read_as_one(width, kind, stored):
     got = downloaded(device, SimpleNamespace(size=(width, 3, 1)), kind)
     row = width * stored * np.dtype(dtype).itemsize
     assert device.layout == {"bytes_per_row": -(-row // 256) * 256, "rows_per_image": 3}
+    assert device.size == (width, 3, 1)
     expected = data[..., 0] if stored == 1 else data[..., :3] if kind is vec3 else data
     assert got.dtype == dtype and got.shape == expected.shape and got.tolist() == expected.tolist()
     assert got.flags.writeable and got.flags.c_contiguous
