@@ -17,7 +17,7 @@ RAMP = np.stack(
 
 BRIGHTENED = np.linspace(60, 255, 256).astype(np.uint8)
 
-ROWS = 64  # whose values are taken at a time: a copy so small needs no new memory
+ROWS = 64  # taken and coloured at a time: what is made on the way is so small that it needs no new memory
 
 
 def picture(
@@ -33,20 +33,29 @@ def picture(
     become 8 bits.
     """
     kind = "".join(channel_names(name, buffer))
-    drawn = buffer != 0 if buffer.dtype == np.uint8 else np.ascontiguousarray(covered)  # it is gone through often
-    if kind == "UV":
-        drawn = drawn & (buffer >= 0).all(axis=-1)
-    colours = _colours(kind, taken(buffer, drawn), spread, encode)
+    spread = spread or value_range(buffer, covered)
     shown = _ground(covered.shape)
-    for channel in range(3):
-        shown[..., channel][drawn] = colours[:, channel]
+    for row in range(0, len(covered), ROWS):
+        rows = slice(row, row + ROWS)
+        drawn = _drawn(kind, buffer[rows], covered[rows])
+        colours = _colours(kind, taken(buffer[rows], drawn), spread, encode)
+        for channel in range(3):
+            shown[rows, :, channel][drawn] = colours[:, channel]
     return shown
+
+
+def _drawn(kind: str, buffer: np.ndarray, covered: np.ndarray) -> np.ndarray:
+    """Bool (H, W): the pixels that are coloured, of those covered."""
+    if buffer.dtype == np.uint8:
+        return np.asarray(buffer != 0)
+    drawn = np.ascontiguousarray(covered)  # it is gone through often
+    return drawn & (buffer >= 0).all(axis=-1) if kind == "UV" else drawn
 
 
 def _colours(
     kind: str,
     values: np.ndarray,
-    spread: tuple[float, float] | None,
+    spread: tuple[float, float],
     encode: Callable[[np.ndarray], np.ndarray],
 ) -> np.ndarray:
     """The colours uint8 (N, 3) of the values (N,) or (N, C) that are drawn of a buffer with the channels `kind`."""
@@ -58,7 +67,7 @@ def _colours(
         return np.broadcast_to(np.array(MASK, np.uint8), (len(values), 3))
     if values.dtype.kind == "i":
         return hashed_colours(values)
-    codes = stretched(values, *(spread or _ends(values)))
+    codes = stretched(values, *spread)
     return codes if kind == "XYZ" else np.take(RAMP, codes, axis=0)
 
 
@@ -79,10 +88,6 @@ def value_range(buffer: np.ndarray, covered: np.ndarray) -> tuple[float, float]:
     )
     ends = np.array([(each.min(), each.max()) for each in parts if each.size])
     return (ends[:, 0].min().item(), ends[:, 1].max().item()) if len(ends) else (0, 0)
-
-
-def _ends(values: np.ndarray) -> tuple[float, float]:
-    return (values.min().item(), values.max().item()) if values.size else (0, 0)
 
 
 def has_ramp(name: str, buffer: np.ndarray) -> bool:

@@ -81,6 +81,22 @@ def test_constant_and_empty_buffers_have_a_picture():
     assert tiles.picture("depth", depth, ~ALL)[0, 0].tolist() == GROUND
 
 
+@pytest.mark.parametrize("channels", [(), (2,), (3,)])
+def test_a_high_buffer_is_coloured_whole(channels):
+    """Some rows are coloured at a time; each pixel has the colour that it has alone, of the range of all rows."""
+    generator = np.random.default_rng(3)
+    values = generator.random((2 * tiles.ROWS + 5, 3, *channels), np.float32) - np.float32(0.1)
+    values[0], values[-1] = 7, -8
+    covered = generator.random(values.shape[:2]) < 0.7
+    covered[[0, -1]] = True
+    name = {0: "depth", 2: "uv", 3: "normal_world"}[sum(channels)]
+    assert tiles.value_range(values, covered) == (-8, 7)
+    shown = tiles.picture(name, values, covered)
+    for row in range(len(values)):
+        alone = tiles.picture(name, values[row : row + 1], covered[row : row + 1], (-8, 7))
+        assert np.array_equal(shown[row : row + 1], alone), row
+
+
 def sheet_of(result, path):
     overview.write_overview(path, result)
     return np.array(Image.open(path))
