@@ -7,6 +7,7 @@ from cyclopts import Parameter
 from rich.markup import escape
 
 from sss_ref.cli.console import err, out, progress
+from sss_ref.cli.options import Threads
 from sss_ref.errors import SceneError
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ def fit(
     ] = "straight_down",
     mm_per_unit: Annotated[float, Parameter(help="Of the scene that the numbers are for.")] = 1.0,
     photons: Annotated[int, Parameter(help="Of each walk.")] = 200_000,
-    threads: Annotated[int | None, Parameter(show_default=False, help="One per processor if not given.")] = None,
+    threads: Threads = None,
 ) -> int:
     """Walk through a material and print the kernel and the translucency that come nearest to it, and how far off."""
     from sss_ref.truth.material_fit import fitted_material

@@ -11,7 +11,7 @@ from rich.table import Table
 
 from sss_ref.cli.console import announce_compilation, err, out, progress
 from sss_ref.cli.fit_command import check_walks
-from sss_ref.cli.options import KERNELS, NO_CHANGES, Changes
+from sss_ref.cli.options import KERNELS, NO_CHANGES, Changes, Medium, Threads, TimeLimit
 from sss_ref.cli.truth_commands import check_tracing, traced
 
 if TYPE_CHECKING:
@@ -32,9 +32,7 @@ def measure(
         Path | None,
         Parameter(show_default=False, help="What a GPU drew of the scene as it is: held against the oracle."),
     ] = None,
-    medium: Annotated[
-        str | None, Parameter(show_default=False, help="What the body is made of, such as skin2; else its material.")
-    ] = None,
+    medium: Medium = None,
     border: Annotated[
         Literal["entered", "diffuse", "matched"],
         Parameter(
@@ -46,11 +44,9 @@ def measure(
         Parameter(negative="--no-fit", help="Measure the techniques also with keys that are fitted to the medium."),
     ] = True,
     samples: Annotated[int, Parameter(help="Of the truth, until each pixel has so many, 2 or more.")] = 256,
-    time_limit: Annotated[
-        float | None, Parameter(show_default=False, help="Begin no sample of the truth after so many seconds.")
-    ] = None,
+    time_limit: TimeLimit = None,
     photons: Annotated[int, Parameter(help="Of each walk that is fitted to.")] = 100_000,
-    threads: Annotated[int | None, Parameter(show_default=False, help="One per processor if not given.")] = None,
+    threads: Threads = None,
     changes: Changes = NO_CHANGES,
 ) -> int:
     """Measure how far each technique is from the truth: errors of radiance and colour, where, and the cost.

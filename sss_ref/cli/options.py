@@ -90,6 +90,15 @@ class Haste:
         return replace(scope, stage=self.only, power=power)
 
 
+# what walks through a body take
+Medium = Annotated[
+    str | None, Parameter(show_default=False, help="What the body is made of, such as skin1; else its material.")
+]
+TimeLimit = Annotated[
+    float | None, Parameter(show_default=False, help="Begin no sample of the truth after so many seconds.")
+]
+Threads = Annotated[int | None, Parameter(show_default=False, help="One per processor if not given.")]
+
 NO_CHANGES, KERNELS, EVERYTHING, NO_HASTE = Changes(), Execution(), Wanted(), Haste()
 
 

@@ -10,7 +10,7 @@ from cyclopts import Parameter
 from rich.markup import escape
 
 from sss_ref.cli.console import err, out, progress
-from sss_ref.cli.options import NO_CHANGES, Changes
+from sss_ref.cli.options import NO_CHANGES, Changes, Medium, Threads, TimeLimit
 from sss_ref.errors import SceneError
 
 if TYPE_CHECKING:
@@ -24,9 +24,7 @@ def truth(
     scene: Annotated[str, Parameter(help="A scene file, or the name of a shipped scene.")] = "default",
     *,
     output: Annotated[Path, Parameter(alias="-o", help="The folder; an earlier truth there goes on.")] = Path("truth"),
-    medium: Annotated[
-        str | None, Parameter(show_default=False, help="What the body is made of, such as skin1; else its material.")
-    ] = None,
+    medium: Medium = None,
     border: Annotated[
         Literal["matched", "diffuse", "entered"],
         Parameter(
@@ -35,11 +33,9 @@ def truth(
         ),
     ] = "matched",
     samples: Annotated[int, Parameter(help="Until each pixel has so many.")] = 64,
-    time_limit: Annotated[
-        float | None, Parameter(show_default=False, help="Begin no sample of the picture after so many seconds.")
-    ] = None,
+    time_limit: TimeLimit = None,
     seed: int = 0,
-    threads: Annotated[int | None, Parameter(show_default=False, help="One per processor if not given.")] = None,
+    threads: Threads = None,
     changes: Changes = NO_CHANGES,
 ) -> int:
     """Trace where the light of a scene really goes: mean radiance per pixel, each with its standard error."""
