@@ -64,6 +64,15 @@ def whole_numbers(low: np.ndarray, high: np.ndarray, seed: int = 0) -> np.ndarra
     return found
 
 
+def one_of_each_run(length: int, count: int) -> np.ndarray:
+    """Of places 0 to length - 1 a random one of each of `count` runs of them, ascending, int64 (count,).
+
+    count: at most the length. A run is as long as the next, or one longer.
+    """
+    edges = np.arange(count + 1, dtype=np.int64) * length // max(count, 1)
+    return whole_numbers(edges[:-1], edges[1:])
+
+
 def philox_words(counter: Any, key: Any) -> Any:
     """Four words for a counter of four and a key of two; each a uint64 below 2^32."""
     a, b, c, d = counter

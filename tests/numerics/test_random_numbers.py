@@ -3,7 +3,15 @@
 import numpy as np
 import pytest
 
-from sss_ref.numerics.random_numbers import new_stream, philox, philox_words, restart, uniform, whole_numbers
+from sss_ref.numerics.random_numbers import (
+    new_stream,
+    one_of_each_run,
+    philox,
+    philox_words,
+    restart,
+    uniform,
+    whole_numbers,
+)
 
 # The authors' own known answers for philox4x32, 10 rounds (Random123, kat_vectors): counter, key, words.
 PI = "243f6a88 85a308d3 13198a2e 03707344", "a4093822 299f31d0", "d16cfe09 94fdcceb 5001e420 24126ea1"
@@ -56,3 +64,12 @@ def test_whole_numbers_reach_both_ends_of_their_range_and_no_further():
     assert found.dtype == np.int64
     assert (np.bincount(found + 2, minlength=5) > 700).all() and set(found.tolist()) == {-2, -1, 0, 1, 2}
     assert whole_numbers(np.zeros(0, np.int64), np.zeros(0, np.int64)).tolist() == []
+
+
+@pytest.mark.parametrize(("length", "count"), [(1000, 7), (13, 12), (5, 5), (3, 0), (0, 0)])
+def test_one_place_is_taken_of_each_run(length, count):
+    found = one_of_each_run(length, count).tolist()
+    runs = [range(k * length // count, (k + 1) * length // count) for k in range(count)]
+    assert len(found) == count
+    assert all(place in run for place, run in zip(found, runs, strict=True))
+    assert count != 7 or found != [run.start for run in runs]

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sss_ref.numerics.random_numbers import whole_numbers
+from sss_ref.numerics.random_numbers import one_of_each_run
 from sss_ref.rendering.fold import machine_of
 from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import KnownBuffer, Pixels
@@ -78,9 +78,8 @@ def sampled(where: np.ndarray, count: int) -> np.ndarray:
     The place in a run is random, the same every time, so that it keeps step with no width of a picture.
     """
     chosen = np.flatnonzero(where)
-    edges = np.arange(count + 1) * len(chosen) // count
     found = np.zeros(where.shape, bool)
-    found.reshape(-1)[chosen[whole_numbers(edges[:-1], edges[1:])]] = True
+    found.reshape(-1)[chosen[one_of_each_run(len(chosen), count)]] = True
     return found
 
 

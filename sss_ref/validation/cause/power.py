@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from sss_ref.language.types import Array, Texture, Vector, components, mat3, mat4
+from sss_ref.numerics.random_numbers import one_of_each_run
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import stacked
@@ -108,7 +109,7 @@ def power(case: Case, judged: Mapping[str, np.ndarray]) -> Iterator[Power]:
 def _trials(drawn: DrawnPass, own: Sequence[str], where: np.ndarray) -> Iterator[Trial]:
     """Every stage of a pass that writes one of these buffers, on a sample of the pixels of a mask, bool (H, W)."""
     pixels = np.argwhere(where)
-    some = pixels[np.random.default_rng(0).integers(0, len(pixels), min(SAMPLE, len(pixels)))]
+    some = pixels[one_of_each_run(len(pixels), min(SAMPLE, len(pixels)))]
     chosen = np.concatenate([some, _outermost(pixels)])
     for run in walk(drawn, (chosen[:, 0], chosen[:, 1])):
         expected, reach = {}, {}
@@ -146,10 +147,8 @@ def _as_misread(trial: Trial) -> Iterator[tuple[str, dict[str, Any]]]:
 
 def _some(all_mutants: list[Mutant]) -> list[Mutant]:
     """A sample, the same every time."""
-    if len(all_mutants) <= MUTANTS:
-        return all_mutants
-    chosen = np.random.default_rng(0).choice(len(all_mutants), MUTANTS, replace=False)
-    return [all_mutants[index] for index in sorted(chosen.tolist())]
+    chosen = one_of_each_run(len(all_mutants), min(MUTANTS, len(all_mutants)))
+    return [all_mutants[index] for index in chosen.tolist()]
 
 
 def _with_mistake(mutant: Mutant, inputs: list[Any]) -> dict[str, Any] | None:
