@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sss_ref.cache.compiled import compiled
+from sss_ref.cache.compiled import compiled, part_of_kernels
 
 PLUS, MINUS, ONE = np.float32(1), np.float32(-1), np.float32(1)
 X, Y, Z, W = 0, 1, 2, 3
@@ -73,7 +73,7 @@ def find_whole(clip_position, triangles, inside, whole):
         whole[triangle] = inside[a] and inside[b] and inside[c]
 
 
-@compiled
+@part_of_kernels
 def is_inside(vertex):
     """Whether a clip position passes all six tests."""
     inside = True
@@ -82,7 +82,7 @@ def is_inside(vertex):
     return inside
 
 
-@compiled
+@part_of_kernels
 def distance(vertex, plane):
     """How far a vertex lies inside a plane (below 0: outside), in clip space units."""
     axis, sign = plane
@@ -113,7 +113,7 @@ def cut_triangles(clip_position, attributes, triangles):
     return sizes, vertices[:used]
 
 
-@compiled
+@part_of_kernels
 def cut_by_all_planes(polygon, spare):
     """Cut the triangle in polygon[:3] and return the number of vertices left in `polygon`; `spare` is overwritten."""
     size = 3
@@ -125,7 +125,7 @@ def cut_by_all_planes(polygon, spare):
     return size
 
 
-@compiled
+@part_of_kernels
 def cut(polygon, size, plane, kept):
     """Write the part of a polygon inside one plane to `kept` and return its size.
 
@@ -147,7 +147,7 @@ def cut(polygon, size, plane, kept):
     return count
 
 
-@compiled
+@part_of_kernels
 def is_nearer(distance, other):
     """Whether the first of two vertices on either side of a plane is the nearer; on a tie, whether it is inside.
 
@@ -156,7 +156,7 @@ def is_nearer(distance, other):
     return abs(distance) < abs(other) or (abs(distance) == abs(other) and distance >= 0)
 
 
-@compiled
+@part_of_kernels
 def cross(near, far, near_distance, far_distance, vertex):
     """Where an edge meets a plane: mix(near, far, t), the position and every attribute alike.
 

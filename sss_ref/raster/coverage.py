@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sss_ref.cache.compiled import compiled
+from sss_ref.cache.compiled import part_of_kernels
 
 
 class EdgeFunction(NamedTuple):
@@ -23,19 +23,19 @@ class EdgeFunction(NamedTuple):
     per_row: float
 
 
-@compiled
+@part_of_kernels
 def position(snapped, vertex):
     """Window position (x, y) of a vertex, as float64: products of two are exact."""
     return np.float64(snapped[vertex, 0]), np.float64(snapped[vertex, 1])
 
 
-@compiled
+@part_of_kernels
 def twice_area(a, b, c):
     """Twice the signed area of the corners (x, y): positive when they run counter-clockwise, rows counted upwards."""
     return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
 
 
-@compiled
+@part_of_kernels
 def edge_function(start, end, orientation, step):
     """The edge from `start` to `end` of a piece that turns counter-clockwise (orientation +1) or clockwise (-1)."""
     dx = orientation * (end[0] - start[0])
@@ -44,7 +44,7 @@ def edge_function(start, end, orientation, step):
     return EdgeFunction(np.float64(constant), np.float64(-dy * step), np.float64(dx * step))
 
 
-@compiled
+@part_of_kernels
 def edges(primitives, piece, step):
     """The three edge functions of a piece; number i is opposite corner i, so it is what weighs corner i."""
     a = position(primitives.snapped, primitives.corners[piece, 0])
@@ -54,13 +54,13 @@ def edges(primitives, piece, step):
     return edge_function(b, c, turn, step), edge_function(c, a, turn, step), edge_function(a, b, turn, step)
 
 
-@compiled
+@part_of_kernels
 def at(edge, column, row):
     """The edge function's exact value at the sample of a pixel."""
     return (edge.constant + column * edge.per_column) + row * edge.per_row
 
 
-@compiled
+@part_of_kernels
 def owns_its_samples(edge):
     """The fill rule: a sample on the edge is inside if the edge is a left one or a minimum-row horizontal one.
 
@@ -69,19 +69,19 @@ def owns_its_samples(edge):
     return edge.per_column > 0 or (edge.per_column == 0 and edge.per_row > 0)
 
 
-@compiled
+@part_of_kernels
 def least(edge):
     """The least value of an edge function at a sample that is covered: 1 where the edge does not own its samples."""
     return 0.0 if owns_its_samples(edge) else 1.0
 
 
-@compiled
+@part_of_kernels
 def acceptance(edge):
     """The edge function lowered by its least value: covered means value >= 0."""
     return EdgeFunction(edge.constant - least(edge), edge.per_column, edge.per_row)
 
 
-@compiled
+@part_of_kernels
 def accepted_columns(edge, row, first, last):
     """The part of the columns first..last of a row where an acceptance is >= 0, all of them whole float64.
 
@@ -96,7 +96,7 @@ def accepted_columns(edge, row, first, last):
     return first, (last if value >= 0 else first - 1.0)
 
 
-@compiled
+@part_of_kernels
 def covered_columns(acceptances, row, first, last):
     """The columns of first..last that all three acceptances leave: (first, last), empty where last < first."""
     low, high = accepted_columns(acceptances[0], row, np.float64(first), np.float64(last))

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sss_ref.cache.compiled import compiled
+from sss_ref.cache.compiled import compiled, part_of_kernels
 from sss_ref.raster.clip import W, X, Y, Z, clip
 from sss_ref.raster.coverage import position, twice_area
 from sss_ref.raster.viewport import Viewport
@@ -89,7 +89,7 @@ def project(clip_position, size, snapped, depth, inverse_w):
             inverse_w[vertex] = inverse
 
 
-@compiled
+@part_of_kernels
 def snap(ndc, size, step):
     """A normalised device coordinate in snapped units, still float32: the whole number nearest to its position."""
     half_size = np.float32(size) * HALF

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sss_ref.cache.compiled import compiled
+from sss_ref.cache.compiled import compiled, part_of_kernels
 from sss_ref.cache.spare_memory import SPARE
 from sss_ref.raster.coverage import acceptance, at, covered_columns, edges, least
 from sss_ref.raster.primitives import Primitives
@@ -74,7 +74,10 @@ def draw(primitives: Primitives, bins: Bins, rules: tuple[int, int], pool: Execu
     """Draw all pieces into a target; rules: (subpixel bits, FIRST or LAST: which of several at one depth stays)."""
 
     def one(band: int) -> None:
-        draw_band(primitives, bins, band, rules, target)
+        height, width = target.depth.shape
+        rows = min(bins.band_rows, height - band * bins.band_rows)
+        keys = np.full((rows, width + PACK), NOTHING, np.int64)
+        draw_band(primitives, bins, band, rules, keys, target)
 
     run: Callable[..., Iterable[None]] = map if pool is None else pool.map
     for _ in run(one, range(len(bins.start) - 1)):
@@ -112,7 +115,7 @@ def list_members(bands, following, members):
             following[band] += 1
 
 
-@compiled
+@part_of_kernels
 def sampled(primitives, piece, axis, size, bits):
     """The columns (axis 0) or rows (axis 1) of the picture whose samples the piece can reach: (first, last)."""
     corners, snapped = primitives.corners, primitives.snapped
@@ -124,22 +127,23 @@ def sampled(primitives, piece, axis, size, bits):
 
 
 @compiled
-def draw_band(primitives, bins, band, rules, target):
-    """Draw the pieces of one band; rules: as in `draw`."""
-    height, width = target.depth.shape
+def draw_band(primitives, bins, band, rules, keys, target):
+    """Draw the pieces of one band; rules: as in `draw`.
+
+    keys: NOTHING at each pixel of the band, int64, and in PACK columns behind them.
+    """
+    width = target.depth.shape[1]
     bits, order = rules
     first_row = band * bins.band_rows
-    count = min(bins.band_rows, height - first_row)
-    keys = np.full((count, width + PACK), NOTHING, np.int64)
     for k in range(bins.start[band], bins.start[band + 1]):
         piece = bins.members[k]
         draw_piece(primitives, piece, bits, (first_row, width), keys, order ^ piece)
-    for row in range(count):
+    for row in range(len(keys)):
         take_pieces(keys[row], order, target.piece[first_row + row])
         take_depths(keys[row], target.depth[first_row + row])
 
 
-@compiled
+@part_of_kernels
 def draw_piece(primitives, piece, bits, place, keys, number):
     """Draw one piece into the keys of a band; place: (first row, width); number: what a key says of the piece."""
     first_row, width = place
@@ -154,7 +158,7 @@ def draw_piece(primitives, piece, bits, place, keys, number):
         draw_columns(keys[row - first_row], row, columns, weights, corner_depths, number)
 
 
-@compiled
+@part_of_kernels
 def draw_columns(keys, row, columns, edges, depths, number):
     """Draw a piece into the columns columns[0]..columns[1] of a row, and try those behind them up to a whole PACK.
 
@@ -175,7 +179,7 @@ def draw_columns(keys, row, columns, edges, depths, number):
         keys[place] = key if covered & (key < there) else there
 
 
-@compiled
+@part_of_kernels
 def key_of(depth, number):
     """Depth, rounded to float32, and number of a piece as one int64: less is nearer, or as near and less in number.
 
@@ -184,7 +188,7 @@ def key_of(depth, number):
     return np.int64(np.float32(depth).view(np.int32)) << 32 | number
 
 
-@compiled
+@part_of_kernels
 def take_pieces(keys, order, pieces):
     """The pieces of some keys, int32, -1 for none; order: FIRST or LAST."""
     for column in range(len(pieces)):
@@ -192,14 +196,14 @@ def take_pieces(keys, order, pieces):
         pieces[column] = np.int32(-1) if key == NOTHING else np.int32((key & LAST) ^ order)
 
 
-@compiled
+@part_of_kernels
 def take_depths(keys, depths):
     """The depths of some keys, float32."""
     for column in range(len(depths)):
         depths[column] = np.int32(keys[column] >> 32).view(np.float32)
 
 
-@compiled
+@part_of_kernels
 def depths(primitives, piece):
     """The window depths of a piece's corners, as float64."""
     corners, depth = primitives.corners, primitives.depth
@@ -210,7 +214,7 @@ def depths(primitives, piece):
     )
 
 
-@compiled
+@part_of_kernels
 def window_depth(weights, depths, total):
     """((z0*e0 + z1*e1) + z2*e2) / (e0 + e1 + e2) in float64, clamped to [0, 1] (rule R4)."""
     depth = ((depths[0] * weights[0] + depths[1] * weights[1]) + depths[2] * weights[2]) / total

@@ -32,8 +32,9 @@ def hashes_and_words(scene, cache, threads=0, keep="all", package=Path(__file__)
 
 
 def machine_code(cache):
-    """The files of kernels below a cache folder -> when they were written."""
-    return {path: path.stat().st_mtime_ns for path in Path(cache).rglob("*.kernel")}
+    """The files of machine code below a cache folder -> when they were written."""
+    files = (path for suffix in ("kernel", "code") for path in Path(cache).rglob(f"*.{suffix}"))
+    return {path: path.stat().st_mtime_ns for path in files}
 
 
 def main():

@@ -6,8 +6,17 @@ rows: those of the arguments, then that of the result. The bits are those of `nu
 import numpy as np
 
 from sss_ref.interpret.kernel.row_memory import chosen, read_float, write_float
-from sss_ref.numerics.elementary import exp2_bracket, exp_bracket, log2_bracket, pow_bracket
-from sss_ref.numerics.scalar import exp2_scalar, exp_scalar, log2_scalar, pow_scalar
+from sss_ref.numerics import scalar  # noqa: F401  # teaches numba what follows
+from sss_ref.numerics.elementary import (
+    exp2_bracket,
+    exp2_slow,
+    exp_bracket,
+    exp_slow,
+    log2_bracket,
+    log2_slow,
+    pow_bracket,
+    pow_slow,
+)
 
 YES, NO = np.int32(1), np.int32(0)
 
@@ -23,8 +32,10 @@ def pow_row(scratch, count, rows, uniforms, tables):
         doubts |= chosen(low < high, YES, NO)
     if doubts:
         for k in range(count):
-            power = pow_scalar(read_float(scratch, base + k), read_float(scratch, exponent + k))
-            write_float(0, scratch, result + k, power)
+            x, y = np.float64(read_float(scratch, base + k)), np.float64(read_float(scratch, exponent + k))
+            low, high = pow_bracket(x, y)
+            if low < high:
+                write_float(0, scratch, result + k, pow_slow(x, y))
 
 
 def exp_row(scratch, count, rows, uniforms, tables):
@@ -37,7 +48,10 @@ def exp_row(scratch, count, rows, uniforms, tables):
         doubts |= chosen(low < high, YES, NO)
     if doubts:
         for k in range(count):
-            write_float(0, scratch, result + k, exp_scalar(read_float(scratch, argument + k)))
+            x = np.float64(read_float(scratch, argument + k))
+            low, high = exp_bracket(x)
+            if low < high:
+                write_float(0, scratch, result + k, exp_slow(x))
 
 
 def exp2_row(scratch, count, rows, uniforms, tables):
@@ -50,7 +64,10 @@ def exp2_row(scratch, count, rows, uniforms, tables):
         doubts |= chosen(low < high, YES, NO)
     if doubts:
         for k in range(count):
-            write_float(0, scratch, result + k, exp2_scalar(read_float(scratch, argument + k)))
+            x = np.float64(read_float(scratch, argument + k))
+            low, high = exp2_bracket(x)
+            if low < high:
+                write_float(0, scratch, result + k, exp2_slow(x))
 
 
 def log2_row(scratch, count, rows, uniforms, tables):
@@ -63,7 +80,10 @@ def log2_row(scratch, count, rows, uniforms, tables):
         doubts |= chosen(low < high, YES, NO)
     if doubts:
         for k in range(count):
-            write_float(0, scratch, result + k, log2_scalar(read_float(scratch, argument + k)))
+            x = np.float64(read_float(scratch, argument + k))
+            low, high = log2_bracket(x)
+            if low < high:
+                write_float(0, scratch, result + k, log2_slow(x))
 
 
 ELEMENTARY_ROWS = {"pow": pow_row, "exp": exp_row, "exp2": exp2_row, "log2": log2_row}

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from sss_ref.cache.compiled import compiled
+from sss_ref.cache.compiled import part_of_kernels
 from sss_ref.interpret.kernel.row_memory import (
     put_byte,
     put_float,
@@ -21,7 +21,7 @@ from sss_ref.language.types import ivec2
 PACK = 8  # columns of a vertex that are interpolated side by side
 
 
-@compiled
+@part_of_kernels
 def beginning(scratch, count, index):
     """The first index of a strip, which ascend in the row `index`, if none is left out up to the last, else -1.
 
@@ -31,7 +31,7 @@ def beginning(scratch, count, index):
     return first if np.int64(read_int(scratch, index + count - 1)) - first == count - 1 else np.int64(-1)
 
 
-@compiled
+@part_of_kernels
 def numbered(scratch, index, begin, k):
     """Index number k of a strip with this `beginning`."""
     return begin + k if begin >= 0 else np.int64(read_int(scratch, index + k))
@@ -185,7 +185,7 @@ def weights(scratch, count, rows, uniforms, tables):
         write_float(6, scratch, total + k, (wa + wb) + wc)
 
 
-@compiled
+@part_of_kernels
 def mixed(values, weights, total):
     """What is interpolated (rule R5), from the three corners' values and weights."""
     return ((values[0] * weights[0] + values[1] * weights[1]) + values[2] * weights[2]) / total

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sss_ref.cache.compiled import compiled
+from sss_ref.cache.compiled import compiled, part_of_kernels
 from sss_ref.interpret.kernel.row_function import call
 from sss_ref.language.layout import FLOAT32
 
@@ -101,7 +101,7 @@ def run_rows(where, first_row, filling, clearing, scratch):
     where: bool (R, W), which pixels hold a fragment. filling, clearing: Calls. scratch: float32 (rows * STRIP,).
     """
     numbers, width = scratch.view(np.int32), where.shape[1]
-    count, empty = 0, 0
+    count = empty = np.int64(0)  # numba would compile `run` anew for a 0 of Python
     for k in range(len(where)):
         row, column = first_row + k, 0
         while column < width:
@@ -110,9 +110,8 @@ def run_rows(where, first_row, filling, clearing, scratch):
                 taken = min(end - column, STRIP - (count if inside else empty))
                 index = row * width + column
                 if inside:
-                    put_down(numbers, INDEX, count, taken, index, 1)
-                    put_down(numbers, COLUMN, count, taken, column, 1)
-                    put_down(numbers, ROW, count, taken, row, 0)
+                    for number, first, step in ((INDEX, index, 1), (COLUMN, column, 1), (ROW, row, 0)):
+                        put_down(numbers, number, count, taken, first, step)
                     count += taken
                 else:
                     put_down(numbers, EMPTY, empty, taken, index, 1)
@@ -131,7 +130,7 @@ def run_rows(where, first_row, filling, clearing, scratch):
     run(clearing, scratch, empty)
 
 
-@compiled
+@part_of_kernels
 def end_of_run(row, begin):
     """The first column behind `begin` where a row, bool (W,), is not what it is there, or W."""
     rest, here = row[begin:], row[begin]
@@ -141,7 +140,7 @@ def end_of_run(row, begin):
     return len(row)
 
 
-@compiled
+@part_of_kernels
 def put_down(numbers, row, at, count, first, step):
     """Write whole numbers into a row of the scratch from one fragment on: `first`, then each `step` more."""
     for k in range(count):
