@@ -1,6 +1,7 @@
 """The modules of stages: their sources, which no file holds, and what is compiled from them, once for all passes."""
 
 import hashlib
+import inspect
 import linecache
 from collections.abc import Callable
 from functools import cache
@@ -14,7 +15,7 @@ from sss_ref.cache import object_files
 from sss_ref.cache.compiled import SETTINGS, callable_compiled
 from sss_ref.cache.kernel_sources import sources_hash
 from sss_ref.cache.linked import address_of_linked, link, make_known
-from sss_ref.interpret.kernel import assembly
+from sss_ref.interpret.kernel import assembly, fragment_rows
 from sss_ref.interpret.kernel.elementary_rows import ELEMENTARY_ROWS
 from sss_ref.interpret.kernel.row_function import row_function
 from sss_ref.interpret.kernel.source import StageSource
@@ -47,10 +48,17 @@ def own_addresses(source: StageSource, name: str) -> dict[str, int]:
         module = imported(source.text, name)
         return {each: getattr(module, each).address for each in names}
     make_scalars_known(source.text)
-    prefix = f"sss_ref_{hashlib.sha256(source.text.encode()).hexdigest()[:16]}"
-    sources = repr([source.text, sources_hash(assembly.__file__), sources_hash(object_files.__file__)])
-    link(object_files.object_code(name, sources, lambda: assembly.assembled(source.text, prefix)))
+    prefix = linked(source.text, name)
     return {each: address_of_linked(f"{prefix}.{each}") for each in names}
+
+
+@cache
+def linked(source: str, name: str) -> str:
+    """Make the functions of rows in a module callable; what stands before the dot in their names there."""
+    prefix = f"sss_ref_{hashlib.sha256(source.encode()).hexdigest()[:16]}"
+    sources = repr([source, sources_hash(assembly.__file__), sources_hash(object_files.__file__)])
+    link(object_files.object_code(name, sources, lambda: assembly.assembled(source, prefix)))
+    return prefix
 
 
 def make_scalars_known(text: str) -> None:
@@ -76,8 +84,17 @@ def address_of(function: Callable[..., None]) -> int:
     """Where a function of rows that is written by hand begins, compiled when it is first asked for."""
     with ONE_AT_A_TIME:
         if function not in ADDRESSES:
-            ADDRESSES[function] = row_function(function).address
+            ADDRESSES[function] = _compiled(function)
     return ADDRESSES[function]
+
+
+def _compiled(function: Callable[..., None]) -> int:
+    """Where it begins: one of fragment_rows.py translated with its module, any other compiled by numba."""
+    if function in fragment_rows.ALL and not SETTINGS.DISABLE_JIT:
+        prefix = linked(inspect.getsource(fragment_rows), "fragment_rows")
+        return address_of_linked(f"{prefix}.{function.__name__}")
+    address: int = row_function(function).address
+    return address
 
 
 CODES: dict[Any, list[StageCode]] = {}  # of each signature, those of different bodies

@@ -66,6 +66,38 @@ TURNS = """
             write_int(1, scratch, i_at + k, number)
 """
 
+MORE = """
+TWO = 2
+
+
+def sum_of(pair, more):
+    first, n = pair[0] + more, np.float64(pair[1])
+    return (first + n) / 3.0
+
+
+def either(n, bound):
+    \"\"\"One of two.\"\"\"
+    return bound if n >= bound else np.int64(-1)
+
+
+def tried(scratch, count, rows, uniforms, tables):
+    a_row, b_row, n_row, f_at, i_at, g_at = rows[0], rows[1], rows[2], rows[3], rows[4], rows[5]
+    texture, truths, step = tables[0], tables[1], np.float64(tables[2])
+    for k in range(count // TWO * TWO):
+        n = read_int(scratch, n_row + k)
+        pair = texel_float(texture, k), read_float(scratch, b_row + k)
+        if n > 0 and k != 3:
+            first = np.float64(k)
+            total = sum_of((pair[1], pair[0]), n * step + 0.5)
+            write_float(0, scratch, f_at + k, np.float32(total * first))
+        else:
+            write_float(0, scratch, f_at + k, np.float32(sum_of(pair, -step)))
+        write_int(1, scratch, i_at + k, np.int32(either(n, k)))
+        put_word(texture, k, n)
+        put_byte(truths, k, np.uint8(n != 0))
+    put_float(texture, count - 1, F_0_1)
+"""
+
 
 def machine_code(text):
     """The function of a module."""
@@ -93,16 +125,20 @@ def given():
     return scratch, np.arange(6) * COUNT, uniforms
 
 
+def in_memory():
+    """A texture and an array of bytes, and the tables with their addresses and a number."""
+    texture, truths = np.linspace(-3, 3, COUNT, dtype=np.float32), np.arange(COUNT, dtype=np.uint8) % 3 * 100
+    return texture, truths, np.array([texture.ctypes.data, truths.ctypes.data, 16])
+
+
 def same_bits(text):
-    """Run both; the scratch of each, as bits."""
-    table, truths = np.linspace(-3, 3, COUNT, dtype=np.float32), np.arange(COUNT, dtype=np.uint8) % 3 * 100
-    tables = np.array([table.ctypes.data, truths.ctypes.data])
-    scratch, rows, uniforms = given()
+    """Run both; what they write has the same bits."""
+    (*memory, tables), (scratch, rows, uniforms) = in_memory(), given()
     machine_code(text)(scratch.ctypes.data, COUNT, rows.ctypes.data, uniforms.ctypes.data, tables.ctypes.data)
-    plain, rows, uniforms = given()
-    flat = plain.reshape(-1)
+    (*plain_memories, tables), (plain, rows, uniforms) = in_memory(), given()
     with np.errstate(all="ignore"):
-        python(text)(flat, COUNT, rows, uniforms, tables)
+        python(text)(plain.reshape(-1), COUNT, rows, uniforms, tables)
+    assert [each.tobytes() for each in memory] == [each.tobytes() for each in plain_memories]
     assert np.array_equal(scratch[3:], plain[3:], equal_nan=True)
     finite = ~np.isnan(scratch[3:])
     assert np.array_equal(scratch[3:].view(np.int32)[finite], plain[3:].view(np.int32)[finite])
@@ -120,6 +156,10 @@ def test_expressions_have_the_bits_of_their_python(is_float):
 
 def test_loops_have_the_bits_of_their_python():
     same_bits(HEADER.partition("    for k")[0] + TURNS)
+
+
+def test_choices_functions_and_buffers_have_the_bits_of_their_python():
+    same_bits(HEADER.partition("@")[0] + MORE)
 
 
 def test_rows_that_are_written_are_told_apart():
