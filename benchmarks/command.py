@@ -6,7 +6,6 @@ of the bytes that each writes, and the ratio. What follows `--` goes to the comm
 
 import argparse
 import os
-import resource
 import statistics
 import subprocess
 import sys
@@ -20,12 +19,16 @@ HERE = Path(__file__).resolve().parents[1]
 
 @dataclass(frozen=True)
 class Run:
-    """One process: seconds that passed, seconds of all processors in the program and in the system, bytes written."""
+    """One process: seconds that passed, seconds of all processors in the program and in the system, bytes written.
+
+    memory: the bytes that it had at most.
+    """
 
     wall: float
     program: float
     system: float
     written: int
+    memory: int
 
 
 def run(checkout: Path, cache: str, words: list[str]) -> Run:
@@ -33,11 +36,17 @@ def run(checkout: Path, cache: str, words: list[str]) -> Run:
     environment = {**os.environ, "PYTHONPATH": str(checkout), "SSS_REF_CACHE_DIR": cache}
     with tempfile.TemporaryDirectory() as folder:
         command = [sys.executable, "-m", "sss_ref.cli", "render", "-o", f"{folder}/out", *words]
-        before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-        subprocess.run(command, env=environment, cwd=folder, capture_output=True, check=True)
-        wall, after = time.perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
+        start = time.perf_counter()
+        with subprocess.Popen(
+            command, env=environment, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        ) as process:
+            _, status, used = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        wall = time.perf_counter() - start
+        if process.returncode:
+            raise subprocess.CalledProcessError(process.returncode, command)
         written = sum(path.stat().st_size for path in Path(folder).rglob("*") if path.is_file())
-    return Run(wall, after.ru_utime - before.ru_utime, after.ru_stime - before.ru_stime, written)
+    return Run(wall, used.ru_utime, used.ru_stime, written, 1024 * used.ru_maxrss)
 
 
 def medians(runs: list[Run]) -> Run:
