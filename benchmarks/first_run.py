@@ -1,8 +1,8 @@
 """Times first runs of `sss-ref render`, for which nothing is compiled: python benchmarks/first_run.py --against OLD.
 
-The default scene, here and in another checkout of the project, OLD, cold and then warm; the same with more lights; then
-a second scene with other options, and what of it was compiled that the first had not. Processor time is that of the
-program and the system together; memory is the most that the process had.
+The default scene, here and in another checkout of the project, OLD, cold and then warm; the same with more lights, the
+image alone; then a second scene with other options, and what of it was compiled that the first had not. Processor time
+is that of the program and the system together; memory is the most that the process had.
 """
 
 import argparse
@@ -33,7 +33,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         for count in asked.lights:
             scene = with_lights(Path(folder), count)
-            cold, warm = cold_and_warm(HERE, [str(scene)])
+            cold, warm = cold_and_warm(HERE, [str(scene), "--keep", "final"])
             print(f"{count} lights\n{line('cold', cold)}\n{line('warm', warm)}")
     second_scene()
 
