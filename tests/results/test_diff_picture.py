@@ -78,7 +78,7 @@ def test_picture(saved, tmp_path):
 
 
 def test_each_light_has_its_own_background(tmp_path):
-    for light, triangles in ((1, [[-1, 4]]), (2, [[7, -1]])):
+    for light, triangles in ((1, [[-1, 0]]), (2, [[7, -1]])):
         np.save(tmp_path / f"light_triangle_{light}.npy", np.int32(triangles))
     files = diff_picture.buffer_files(tmp_path)
     seen = {light: diff_picture._drawn(f"light_distance_{light}", files, np.float32([[8, 9]])) for light in (1, 2)}
