@@ -194,3 +194,17 @@ def test_estimates_follow_the_sample():
     pixels = Compared(blank, blank, blank, np.zeros(25, bool), outcome, bounded)
     assert pixels.count(AMBIGUOUS) == 2 + 20 // 4
     assert np.flatnonzero(pixels.sample).tolist() == [0, 1, 2, 3]
+
+
+def test_each_run_of_pixels_has_one_in_the_sample():
+    where = np.random.default_rng(2).random((9, 11)) < 0.6
+    chosen = np.flatnonzero(where)
+    for count in (1, 2, 7, len(chosen)):
+        found = np.flatnonzero(sampled(where, count))
+        runs = (
+            np.array_split(chosen, count)
+            if len(chosen) % count == 0
+            else [chosen[k * len(chosen) // count : (k + 1) * len(chosen) // count] for k in range(count)]
+        )
+        assert len(found) == count and all(np.isin(run, found).sum() == 1 for run in runs)
+    assert sampled(where, len(chosen))[where].all()

@@ -283,3 +283,15 @@ def test_the_planes_of_a_matrix(w):
 
 def test_a_far_plane_may_be_nowhere():
     assert planes_of(np.array([(1, 0, 0, 0), (0, 1, 0, 0), (0, 0, -1, -2.0), (0, 0, -1, 0)])) == (1, np.inf)
+
+
+def test_a_size_is_measured_on_the_buffer_itself():
+    todo = dumped(smooth, scale=1.25)
+    todo.case.drawing.buffers["depth"] = Drawn(smooth).at(0, 0, 1.5)
+    (found,) = told(todo, "times as large")
+    assert found.charge.text.endswith(" is 0.8 times as large")
+
+
+@pytest.mark.parametrize("buffer", ["light_triangle", "light_depth", "light_distance"])
+def test_a_draw_with_nothing_changed_is_the_oracles(oracle, buffer):
+    assert np.array_equal(draw_of(oracle, buffer, {buffer: oracle[buffer]}).draw(), oracle[buffer])

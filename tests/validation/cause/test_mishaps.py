@@ -9,7 +9,7 @@ import pytest
 
 from sss_ref.raster.primitives import Primitives
 from sss_ref.raster.viewport import Viewport
-from sss_ref.validation.cause.mishaps import mishaps
+from sss_ref.validation.cause.mishaps import mishaps, turns
 
 WIDTH, HEIGHT = 9, 7
 CORNERS = [  # pixels from the centre of pixel (0, 0); the second's side is beside a column, but not when cut off
@@ -120,3 +120,11 @@ def test_depths_may_differ_a_little(off, same):
     _, depth = EXPECTED["the picture is mirrored"]
     found = dict(mishaps(visible(), "depth", np.where(depth < 1, depth + np.float32(off), depth)))
     assert np.array_equal(found["the picture is mirrored"], (depth == 1) | same)
+
+
+def test_how_much_a_piece_turns_is_twice_its_area():
+    snapped = np.int32([(1, 2), (5, 3), (2, 7), (-4, 6)])
+    pieces = Primitives(np.int32([(0, 1, 2), (0, 2, 1), (3, 1, 0), (0, 0, 1)]), None, snapped, None, None, None)
+    assert turns(pieces).tolist() == [19, -19, -21, 0] and turns(pieces).dtype == np.int64
+    far = pieces._replace(snapped=snapped * 2**22)
+    assert turns(far).tolist() == [each * 2**44 for each in (19, -19, -21, 0)]
