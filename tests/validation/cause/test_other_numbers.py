@@ -1,5 +1,6 @@
 """Other numbers for the uniforms of a stage."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -152,3 +153,10 @@ def test_a_position_may_be_longer_or_shorter(factor, words):
 
 def test_no_position_is_turned_round_by_its_length():
     assert not [*lengthened(sample_of(albedo=(-2.0, -3.0)), "albedo", "its_name")]
+
+
+def test_where_nothing_may_be_off_the_nearest_number_still_misses_least():
+    sample = sample_of()
+    exact = replace(sample, reach=np.zeros_like(sample.reach))
+    near, far = _apart(exact, np.array([1.0, 3.0]), lambda many, each: many.got + each[:, None])
+    assert 0 < near < far < 1e32
