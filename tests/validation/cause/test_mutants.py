@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from sss_ref.language import Array, Texture, function, ivec2, max, select, stage, texel, vec2, vec3
+from sss_ref.language import Array, Texture, function, ivec2, length, max, select, stage, texel, vec2, vec3
 from sss_ref.validation.cause.mutants import mutants
 
 
@@ -129,3 +129,13 @@ def test_a_mistake_in_a_function_is_wherever_it_is_called():
     assert found["a * b - 2.0"].description == "`a * b - 2.0` for `a * b + 2.0` in twice"
     (whole,) = (each for each in mutants(both) if each.wrong == "one = b")
     assert whole.description == "`one = b` for `one = twice(twice(a, b), b)`"
+
+
+@stage(source="a test")
+def alone(axis: vec3) -> One:
+    """A call with one argument of another type, in which nothing can be mistaken."""
+    return One(length(axis))
+
+
+def test_a_call_with_one_argument_has_none_to_swap():
+    assert wrong_lines(alone) == []
