@@ -243,7 +243,7 @@ def test_the_outermost_pixels_are_those_of_the_first_and_last_row_and_column():
 def test_of_many_mutants_twelve_are_tried_in_their_order(count, kept):
     found = _some(list(range(count)))
     assert len(found) == len(set(found)) == kept and found == sorted(found) == _some(list(range(count)))
-    assert count == kept or found != list(range(kept))
+    assert count < 100 or found != list(range(kept))
 
 
 def test_a_stage_is_told_with_its_numbers():
