@@ -5,16 +5,14 @@ from dataclasses import dataclass
 from typing import Any
 
 from sss_ref.interpret.shader import DIALECTS, Dialect
-from sss_ref.language.types import vec2, vec3
-
-KINDS = (float, vec2, vec3, int, bool)  # of what a shader writes
+from sss_ref.language.layout import WRITTEN
 
 
 @dataclass(frozen=True)
 class PortedLanguage:
     """A language that a bundle can be in.
 
-    name: as DIALECTS has it. version: what its shaders are. formats: of a texture for each of KINDS, in the API's own
+    name: as DIALECTS has it. version: what its shaders are. formats: of a texture for each of WRITTEN, in the API's own
     words. notes: the conventions that are this language's; where their lines break counts for nothing.
     """
 
@@ -30,7 +28,7 @@ class PortedLanguage:
 
 
 def _formats(names: str) -> Mapping[Any, str]:
-    return dict(zip(KINDS, names.split(), strict=True))
+    return dict(zip(WRITTEN, names.split(), strict=True))
 
 
 UPSIDE_DOWN = """

@@ -6,6 +6,7 @@ import numpy as np
 
 from sss_ref.language.types import ivec2, vec2, vec3, vec4
 
+WRITTEN = (float, vec2, vec3, int, bool)  # of these types are the buffers that stages write
 CHANNELS = {float: 1, int: 1, bool: 1, vec2: 2, ivec2: 2, vec3: 3, vec4: 4}
 FLOAT32 = np.dtype("<f4")
 DTYPES: dict[Any, np.dtype] = {int: np.dtype("<i4"), bool: np.dtype("u1")}  # of all other types: float32

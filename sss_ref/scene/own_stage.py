@@ -7,6 +7,7 @@ import numpy as np
 
 from sss_ref.errors import SceneError
 from sss_ref.language import Stage
+from sss_ref.language.layout import WRITTEN
 from sss_ref.language.pipeline import PIXEL, Method
 from sss_ref.language.typing_rules import type_name
 from sss_ref.scene.scene import Scene
@@ -16,9 +17,9 @@ def with_stage(scene: Scene, in_place_of: str, stage: Stage, **values: Any) -> S
     """A scene whose method runs `stage` where it ran the stage named `in_place_of`.
 
     With several lights it runs once for each, as ours did.
-    stage: writes at least what that one wrote, with the same types; other outputs are new buffers. It may read every
-    buffer of the passes and stages before it and every uniform, by name, and uniforms of its own. values: those, each
-    a number or a sequence of them, rounded to float32.
+    stage: writes at least what that one wrote, with the same types; other outputs are new buffers, of float, vec2,
+    vec3, int or bool. It may read every buffer of the passes and stages before it and every uniform, by name, and
+    uniforms of its own. values: those, each a number or a sequence of them, rounded to float32.
     Raises SceneError where names or types do not fit.
     """
     _check_outputs(scene.method, in_place_of, stage)
@@ -41,6 +42,10 @@ def _check_outputs(method: Method, name: str, stage: Stage) -> None:
             came = f"it as {type_name(stage.outputs[own])}" if own in stage.outputs else "none"
             expected = f"{stage.name} to write {own} as {type_name(kind)}, as {name} does"
             raise SceneError(f"with_stage: expected {expected}, got {came}; add it to what it returns")
+    for own, kind in stage.outputs.items():
+        if own not in stages[name].outputs and kind not in WRITTEN:
+            expected = f"{stage.name} to write {own} as {', '.join(map(type_name, WRITTEN[:-1]))} or bool"
+            raise SceneError(f"with_stage: expected {expected}, got {type_name(kind)}; write its parts")
 
 
 def _check_reads(method: Method, stage: Stage, known: set[str]) -> None:

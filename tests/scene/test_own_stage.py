@@ -12,7 +12,7 @@ import sss_ref
 from sss_ref.dump.read import read_dump
 from sss_ref.errors import DumpError, SceneError
 from sss_ref.interpret.shader import array_lengths, stage_source
-from sss_ref.language import dot, max, normalize, stage, vec3
+from sss_ref.language import dot, ivec2, max, normalize, stage, vec3
 from sss_ref.language.types import components
 from sss_ref.results.verify import verify
 
@@ -123,10 +123,23 @@ def test_what_it_writes_can_be_dumped_and_judged(example, body, tmp_path):
     assert found.culprit.suspects == ("camera/lit_absorbed",) and found.culprit.buffer in ("lit", "transmittance")
 
 
+class LitAndPlace(NamedTuple):
+    """What no buffer holds."""
+
+    lit: vec3
+    place: ivec2
+
+
 @stage(source="test")
 def no_lit(phong: vec3) -> Irradiance:
     """Writes something else."""
     return Irradiance(phong)
+
+
+@stage(source="test")
+def place_too(phong: vec3, pixel: ivec2) -> LitAndPlace:
+    """Writes its place too."""
+    return LitAndPlace(phong, pixel)
 
 
 def test_what_does_not_fit_is_told(example, body):
@@ -139,6 +152,7 @@ def test_what_does_not_fit_is_told(example, body):
         ),
         ("lit_transmit", no_lit, "expected no_lit to write lit as vec3, as lit_transmit does, got none; add it"),
         ("lit_transmit", example.lit_absorbed, "lit_absorbed reads to be there before it, got no extinction; give it"),
+        ("lit_transmit", place_too, "expected place_too to write place as float, vec2, vec3, int or bool, got ivec2"),
     ):
         with pytest.raises(SceneError, match=message):
             sss_ref.with_stage(scene, name, own)
