@@ -22,11 +22,8 @@ from sss_ref.cache.kernel_files import SUFFIX, KernelFiles
 from sss_ref.cache.root import cache_below
 
 SETTINGS: Any = numba.config  # filled at run time, so type checkers do not see its fields
-CONTRACT: dict[str, Any] = {
-    "nogil": True,
-    "error_model": "numpy",
-    "no_cfunc_wrapper": True,
-}  # and never fastmath: rule A1
+CONTRACT: dict[str, Any] = {"nogil": True, "error_model": "numpy"}  # and never fastmath: rule A1
+UNUSED: dict[str, Any] = {"no_cfunc_wrapper": True}  # what calls a kernel from C, which takes time to compile
 DECIDING = ("OPT", "LOOP_VECTORIZE", "SLP_VECTORIZE", "BOUNDSCHECK", "DEBUGINFO_DEFAULT")
 
 
@@ -51,7 +48,7 @@ def is_cold() -> bool:
 
 def compiled(function: Callable[..., Any]) -> Callable[..., Any]:
     """Compile `function` under the arithmetic contract (decorator): no GIL, IEEE division, no fast-math, cached."""
-    kernel: Callable[..., Any] = _keeping(numba.njit(**CONTRACT)(function), function, KernelFiles)
+    kernel: Callable[..., Any] = _keeping(numba.njit(**CONTRACT, **UNUSED)(function), function, KernelFiles)
     return kernel
 
 
@@ -60,7 +57,7 @@ def part_of_kernels(function: Callable[..., Any]) -> Callable[..., Any]:
 
     What Python never calls needs no conversion of its arguments, which takes half the time to compile.
     """
-    register_jitable(error_model=CONTRACT["error_model"], no_cfunc_wrapper=True)(function)
+    register_jitable(error_model=CONTRACT["error_model"], **UNUSED)(function)
     return function
 
 

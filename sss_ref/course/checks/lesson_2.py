@@ -22,8 +22,9 @@ def cover_once(answer: Any) -> None:
     """
     corners = (0, 0), (4, 0), (4, 4), (0, 4)
     triangles = [_edges(*(corners[k] for k in chosen)) for chosen in ((0, 1, 2), (0, 2, 3))]
+    owned = [[bool(owns_its_samples(edge)) for edge in edges] for edges in triangles]
     for column, row in itertools.product(range(5), repeat=2):
-        given = [([at(e, column, row) for e in edges], [*map(owns_its_samples, edges)]) for edges in triangles]
+        given = [([at(edge, column, row) for edge in edges], own) for edges, own in zip(triangles, owned, strict=True)]
         count = sum(called(answer, YES_OR_NO, *each) for each in given)
         expected = int(column < 4 and row < 4)
         if count != expected:

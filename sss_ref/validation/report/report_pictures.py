@@ -45,7 +45,8 @@ def legend() -> str:
 def pictures(check: Check) -> Iterator[tuple[str, str]]:
     """Captions and pictures, the latter as data URLs."""
     step = -(-max(check.where.shape) // LARGEST_SIDE)
-    for caption, buffer in (("as drawn", np.nan_to_num(check.got)), ("as it should be", check.expected)):
+    for caption, buffer in (("as drawn", check.got), ("as it should be", check.expected)):
+        buffer = np.nan_to_num(buffer)
         spread = tiles.value_range(buffer, check.where)
         yield (
             caption,
