@@ -5,6 +5,7 @@ from math import ceil, log2
 
 import numpy as np
 
+from sss_ref.cache.compiled import compiled
 from sss_ref.scene_file.quantities import MOST_STOPS
 from sss_ref.scene_file.settings import Output
 
@@ -26,9 +27,16 @@ def cut_off(output: Output, image: np.ndarray) -> Iterator[str]:
         yield f"image: {share:.1%} of its pixels are brighter than the picture can show and are cut off; {remedy}"
 
 
+@compiled
 def too_bright(image: np.ndarray, background: np.ndarray, limit: np.float32) -> tuple[int, np.ndarray]:
     """How many pixels of an image, (H, W, 3), are no background, and the largest value of each above a limit."""
-    differs, brighter = image != background, image > limit
-    shown = differs[..., 0] | differs[..., 1] | differs[..., 2]
-    above = shown & (brighter[..., 0] | brighter[..., 1] | brighter[..., 2])
-    return int(np.count_nonzero(shown)), image[above].max(axis=-1)
+    shown, count, brighter = 0, 0, np.empty(image.shape[0] * image.shape[1], np.float32)
+    for row in range(image.shape[0]):
+        for column in range(image.shape[1]):
+            red, green, blue = image[row, column]
+            if red != background[0] or green != background[1] or blue != background[2]:
+                shown += 1
+                if max(red, green, blue) > limit:
+                    brighter[count] = max(red, green, blue)
+                    count += 1
+    return shown, brighter[:count]
