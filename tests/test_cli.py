@@ -194,7 +194,7 @@ def test_warmup_says_how_long_it_took(capsys, monkeypatch):
 
 
 def test_cold_cache_is_announced(out, capsys, monkeypatch):
-    for cold, told in ((True, "compiling kernels (once per version; about 15 s) ...\n"), (False, "")):
+    for cold, told in ((True, "compiling kernels (once per version; about 7 s) ...\n"), (False, "")):
         monkeypatch.setattr("sss_ref.cache.compiled.is_cold", lambda cold=cold: cold)
         assert main(["render", "nowhere", "-o", str(out)]) == 2
         assert capsys.readouterr().err.partition("error:")[0] == told

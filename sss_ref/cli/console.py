@@ -21,7 +21,7 @@ def announce_compilation(execution: Execution) -> None:
     from sss_ref.cache.compiled import is_cold
 
     if execution.interpreter == "kernel" and is_cold():
-        err.print("compiling kernels (once per version; about 15 s) ...")
+        err.print("compiling kernels (once per version; about 7 s) ...")
 
 
 @contextmanager

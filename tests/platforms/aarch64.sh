@@ -2,7 +2,7 @@
 # The golden hashes, by compiled kernels, on an emulated aarch64 processor.
 #
 #     tests/platforms/aarch64.sh FOLDER [pytest's arguments]
-#     tests/platforms/aarch64.sh /tmp/arm tests/test_golden.py -k teaching        # a few minutes
+#     tests/platforms/aarch64.sh /tmp/arm tests/test_golden.py        # some ten minutes
 #
 # FOLDER receives Debian's Python for that processor, the wheels, and the compiled kernels; run again, it takes what is
 # there. Needs Debian's mmdebstrap and qemu-user-static, pip, and network. The last result: aarch64.txt beside this file.
