@@ -89,9 +89,10 @@ class Piece:
         return {name_of(case): float(case.get("time", 0)) for case in cases if not len(case)}
 
     def executing(self, path: str, lines: Iterable[int]) -> set[str]:
-        """The tests that execute one of these lines; any line, if the file has changed since."""
+        """The tests that execute one of these lines, if there are any; any line, if the file has changed since."""
         contexts = self._contexts(path)
-        if path in changed_since(self._path.with_suffix(".commit").read_text(encoding="utf-8").strip()):
+        lines = list(lines)
+        if lines and path in changed_since(self._path.with_suffix(".commit").read_text(encoding="utf-8").strip()):
             lines = contexts
         return {test.rpartition("|")[0] for line in lines for test in contexts.get(line, ())} - {""}
 
