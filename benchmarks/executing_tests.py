@@ -3,10 +3,12 @@
     python benchmarks/executing_tests.py FOLDER tests/view tests/mesh    # a piece in a process, kept under its name
 
 A piece is a file or a folder of tests. FOLDER keeps of each what coverage saw, test by test, the times, and the commit.
+It sees the processes that a test starts as well, as far as they are given its environment and end by themselves.
 """
 
 import argparse
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Iterable
@@ -18,7 +20,20 @@ from coverage import CoverageData
 
 HERE = Path(__file__).resolve().parents[1]
 ALONE = ["-o", "addopts=--import-mode=importlib", "-q", "-m", "not full"]  # with xdist's options no test has a context
-CONFIGURATION = "[run]\nrelative_files = true\n"
+# What a process that a test starts executes counts for the test that pytest says to be running at its start.
+CONFIGURATION = """[run]
+include = */sss_ref/*
+relative_files = true
+parallel = true
+context = ${PYTEST_CURRENT_TEST-}
+[paths]
+sources =
+    sss_ref
+    */sss_ref
+"""
+# pytest-cov measures this process; a variable that it had from the start would have coverage measure it twice.
+PYTEST = "import os, sys, pytest; os.environ['COVERAGE_PROCESS_START'] = sys.argv.pop(1); sys.exit(pytest.main())"
+STEPS = re.compile(r"(\|(setup|run|teardown)| \((setup|call|teardown)\))$")  # of a test, here and in its processes
 
 
 def main() -> None:
@@ -37,7 +52,7 @@ def record(folder: Path, piece: str) -> str:
     name = piece.replace("/", ".")
     configuration = folder / "coveragerc"
     configuration.write_text(CONFIGURATION, encoding="utf-8")
-    command = [sys.executable, "-m", "pytest", *ALONE, f"--junitxml={folder / name}.xml", "--cov=sss_ref"]
+    command = [sys.executable, "-c", PYTEST, str(configuration), *ALONE, f"--junitxml={folder / name}.xml", "--cov"]
     command += ["--cov-context=test", "--cov-report=", f"--cov-config={configuration}", piece]
     environment = {**os.environ, "COVERAGE_FILE": f"{folder / name}.coverage", "PYTHONPATH": str(HERE)}
     (folder / f"{name}.commit").write_text(git("rev-parse", "HEAD"), encoding="utf-8")
@@ -59,7 +74,7 @@ class Recorded:
 
     @cached_property
     def seconds(self) -> dict[str, float]:
-        """The tests that passed -> the seconds that each took, under coverage."""
+        """The tests that were run -> the seconds that each took, under coverage."""
         return {test: each for piece in self._pieces for test, each in piece.seconds().items()}
 
     def executing(self, path: Path, lines: Iterable[int]) -> set[str]:
@@ -84,9 +99,9 @@ class Piece:
         self._contexts = cache(self._data.contexts_by_lineno)
 
     def seconds(self) -> dict[str, float]:
-        """The tests that passed -> the seconds that each took."""
+        """The tests that were run -> the seconds that each took; some fail because coverage is there and count too."""
         cases = ElementTree.parse(self._path.with_suffix(".xml")).iter("testcase")
-        return {name_of(case): float(case.get("time", 0)) for case in cases if not len(case)}
+        return {name_of(case): float(case.get("time", 0)) for case in cases if case.find("skipped") is None}
 
     def executing(self, path: str, lines: Iterable[int]) -> set[str]:
         """The tests that execute one of these lines, if there are any; any line, if the file has changed since."""
@@ -94,7 +109,7 @@ class Piece:
         lines = list(lines)
         if lines and path in changed_since(self._path.with_suffix(".commit").read_text(encoding="utf-8").strip()):
             lines = contexts
-        return {test.rpartition("|")[0] for line in lines for test in contexts.get(line, ())} - {""}
+        return {STEPS.sub("", test) for line in lines for test in contexts.get(line, ())} - {""}
 
 
 def name_of(case: ElementTree.Element) -> str:

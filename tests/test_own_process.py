@@ -9,9 +9,6 @@ import pytest
 
 import sss_ref
 
-ENVIRONMENT = {**os.environ, "PYTHONPATH": str(Path(sss_ref.__file__).parents[1])}
-ENVIRONMENT.pop("OPENBLAS_NUM_THREADS", None)
-
 RUN = """
 import gc, os, sys
 from sss_ref.cli.own_process import NEW_OBJECTS, run
@@ -29,8 +26,10 @@ THREE = 'import os; os.environ["OPENBLAS_NUM_THREADS"] = "3"'
 
 
 def of_new_process(program, folder=None):
+    environment = {**os.environ, "PYTHONPATH": str(Path(sss_ref.__file__).parents[1])}
+    environment.pop("OPENBLAS_NUM_THREADS", None)
     command = [sys.executable, "-c", program]
-    return subprocess.run(command, cwd=folder, env=ENVIRONMENT, capture_output=True, text=True, check=False)
+    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
 
 
 def test_the_exit_code_is_that_of_the_command_line():
