@@ -103,6 +103,62 @@ def test_depth_opens_calls(told):
     assert any(row.kind == "call" for row in rows_of(told, "phong_shading"))
 
 
+NORMALIZED = "select(magnitude > 0.0, v / magnitude, vec3(0.0, 0.0, 0.0))"
+ENTRY = "select(shadow_valid, light_position + direction * stored_distance, position_world)"
+OPENED = {  # stage -> the depth that a row needs, its indentation, kind and text
+    "back_point": [
+        (0, 0, "line", "direction = normalize(position_world - light_position)"),
+        (2, 1, "line", "magnitude = length(v)"),
+        (3, 2, "call", "sqrt(dot(v, v))"),
+        (4, 3, "call", "a.x * b.x + a.y * b.y + a.z * b.z"),
+        (2, 1, "call", NORMALIZED),
+        (0, 0, "line", f"entry_point = {ENTRY}"),
+        (0, 0, "line", "thickness = length(position_world - entry_point)"),
+        (2, 1, "call", "sqrt(dot(v, v))"),
+        (3, 2, "call", "dot(v, v)"),
+        (4, 3, "call", "a.x * b.x + a.y * b.y + a.z * b.z"),
+    ],
+    "scatter": [
+        (0, 1, "turn", "tap = 0"),
+        (0, 2, "line", "total = total + tap_sample(lit, pixel, tap_offset[tap] * pixel_scale) * tap_weight[tap]"),
+        (1, 3, "call", "tap_offset[tap]"),
+        (1, 3, "call", "tap_sample(lit, pixel, tap_offset[tap] * pixel_scale)"),
+        (2, 4, "call", "sample_bilinear(picture, pixel + whole_part(offset), fractional_part(offset))"),
+        (3, 5, "call", "whole_part(offset)"),
+        (3, 5, "call", "fractional_part(offset)"),
+        (1, 3, "call", "tap_weight[tap]"),
+        (0, 1, "turn", "tap = 1"),
+    ],
+}
+
+
+@pytest.mark.parametrize("stage", OPENED)
+@pytest.mark.parametrize("depth", range(4))
+def test_each_depth_opens_the_calls_inside_those_of_the_one_before(told, stage, depth):
+    rows = [(row.depth, row.kind, row.text) for row in rows_of(told, stage, depth) if row.kind != "read"]
+    first = rows.index((1, "turn", "tap = 0")) if stage == "scatter" else 0
+    last = rows.index((1, "turn", "tap = 1")) + 1 if stage == "scatter" else len(rows)
+    assert rows[first:last] == [tuple(shown) for needed, *shown in OPENED[stage] if needed <= depth]
+
+
+def test_a_draw_tells_how_much_each_corner_counts(told):
+    (draw,) = [each for each in sections(told.passes) if each.title.startswith("triangle")][1:]
+    weights = [corner.weight for corner in told.passes[1].drawn.corners]
+    total = sum(map(float, weights))
+    assert draw.level == 2 and draw.note == "rules R1 to R5"
+    for row, weight, corner in zip(draw.rows, weights, told.passes[1].drawn.corners, strict=False):
+        assert (row.kind, row.text, row.value) == ("read", f"weight of corner {corner.vertex}", str(weight))
+        assert row.unit == f"{100 * float(weight) / total:.1f}% of the three"
+    assert [(row.kind, row.text) for row in draw.rows[3:]] == [("line", name) for name in told.passes[1].drawn.values]
+
+
+def test_a_stage_says_where_it_is_from_and_the_first_line_of_what_it_is(told):
+    notes = {each.title: (each.level, each.note) for each in sections(told.passes)}
+    assert notes["scatter"] == (2, "paper 3.2, Table 1. The weighted sum of all taps, in order.")
+    assert notes["pass composite"] == (1, "pixel 16,17: the pixel itself")
+    assert notes["surface"][1].endswith("its normal is made unit here, never before (rule R6).")
+
+
 def test_every_line_as_glsl(told):
     (section,) = sections(told.passes, "back_point", glsl=True)
     assert [row.glsl for row in section.rows if row.kind == "line"] == [
