@@ -5,13 +5,13 @@
     python benchmarks/mutation.py FOLDER view/light_fit.py numerics             # of some files and rooms
 
 A place is an operator, a comparison, a number, a truth value, a `not`, outside types, decorators and the `strict` of
-zip. Each is changed in a copy of the package; then those of the recorded tests run that execute its line: two of each
-function first, of the file that mirrors the source before the others, the quickest first, as many as take `--limit`
-seconds. Where none that short is seen to execute it (it runs when it is imported, or compiled), it is the tests of the
-file that mirrors it, then its room's, then others that execute the file. A test counts that passes with the package as
-it is. Printed are the survivors, but for those that equivalent_mutants.toml says nobody can tell from the original,
-then the score of each room and of all: the share of the other mutants that make a test fail, or tests take four times
-as long and a minute.
+zip. Each is changed in a copy of the package; then those of the recorded tests run that execute its line, and those of
+the file that mirrors the source, for nobody sees what is compiled execute: two of each function first, of that file
+before the others, the quickest first, as many as take `--limit` seconds. Where none that short is seen to execute it,
+it is the tests of that file, then its room's, then others that execute the file. A test counts that passes with the
+package as it is. Printed are the survivors, but for those that equivalent_mutants.toml says nobody can tell from the
+original, then the score of each room and of all: the share of the other mutants that make a test fail, or tests take
+four times as long and a minute.
 """
 
 import argparse
@@ -105,10 +105,12 @@ def tried(tests: dict[Mutant, dict[str, float]], checkouts: list[Path], end: flo
 def chosen(mutant: Mutant, recorded: Recorded, limit: float) -> dict[str, float]:
     """The tests that a mutant has to pass, in order -> the seconds that each takes."""
     mirrored = f"tests/{mutant.path.with_name(f'test_{mutant.path.name}')}::"
-    among = [recorded.executing(mutant.path, mutant.executed)]
-    if not any(recorded.seconds[test] < min(SLOW, limit) for test in among[0]):
+    own = {test for test in recorded.seconds if test.startswith(mirrored)}
+    executing = recorded.executing(mutant.path, mutant.executed)
+    among = [executing | own]
+    if not any(recorded.seconds[test] < min(SLOW, limit) for test in executing):
         room = {test for test in recorded.seconds if test.startswith(f"tests/{mutant.room}/")}
-        among = [{test for test in room if test.startswith(mirrored)}, room, recorded.executing_file(mutant.path)]
+        among = [own, room, recorded.executing_file(mutant.path)]
     tests: dict[str, float] = {}
     for each in among:
         functions: Counter[str] = Counter()
