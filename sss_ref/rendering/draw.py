@@ -65,7 +65,7 @@ class Sketch:
 def draw(scene: Scene, this_pass: Pass, buffers: Buffers, machine: Machine, ready: ReadyMesh | None = None) -> Sketch:
     """Rasterize the mesh if the pass draws it, or else take its rectangle.
 
-    buffers: those of earlier passes by name. ready: what `made_ready` gives, if that is done already.
+    buffers: those of earlier passes by name. ready: what `made_ready` gives, if that is done.
     Raises MeshError where a UV layout is empty, or overlaps and must not.
     """
     if not this_pass.draw.vertex_stages:

@@ -86,7 +86,7 @@ def folded(
         if on_pass:
             on_pass(this_pass.name)
         start, needed = time.perf_counter(), kept | read_later
-        sketch = draw(scene, this_pass, buffers, machine, foresight.mesh(this_pass, buffers))
+        sketch = draw(scene, this_pass, buffers, machine, foresight.mesh(this_pass))
         buffers = buffers | sketch.written | shaded(scene, this_pass, sketch, buffers, needed, machine)
         if on_buffer:
             for name in sorted(kept & set(this_pass.values)):

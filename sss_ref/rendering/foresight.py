@@ -4,14 +4,15 @@ from collections.abc import Iterable
 from concurrent.futures import Future
 
 from sss_ref.language.pipeline import Pass
-from sss_ref.rendering.draw import Buffers, Machine, ReadyMesh, made_ready
+from sss_ref.rendering.draw import Machine, ReadyMesh, made_ready
 from sss_ref.scene.scene import Scene
 
 
 class Foresight:
     """The passes of a rendering in order, of which the next that draws the mesh is always begun.
 
-    A pass whose vertices read a buffer is made ready in its own turn, and so are all where one thread does the work.
+    Not begun, but made ready in their own turn, are the first, those whose vertices read a buffer, and all where one
+    thread does the work.
     """
 
     def __init__(self, scene: Scene, passes: Iterable[Pass], machine: Machine) -> None:
@@ -21,14 +22,12 @@ class Foresight:
         ]
         self.begun: dict[str, Future[ReadyMesh]] = {}
 
-    def mesh(self, this_pass: Pass, buffers: Buffers) -> ReadyMesh | None:
-        """That of a pass, None if it draws no mesh; the next is begun meanwhile. buffers: those of earlier passes."""
-        if not this_pass.draw.vertex_stages:
-            return None
+    def mesh(self, this_pass: Pass) -> ReadyMesh | None:
+        """That of a pass if it was begun, whose turn it is now; the next is begun meanwhile."""
         begun = self.begun.pop(this_pass.name, None)
         self.to_begin = [each for each in self.to_begin if each is not this_pass]
         self.begin()
-        return begun.result() if begun else made_ready(self.scene, this_pass, buffers, self.machine)
+        return begun.result() if begun else None
 
     def begin(self) -> None:
         """Let another thread begin the next."""
