@@ -92,3 +92,6 @@ def exp_scalar(x: Any) -> Any:
     if low < high:
         return elementary.exp_slow(exponent)
     return low
+
+
+SCALARS = {"pow": pow_scalar, "exp": exp_scalar, "exp2": exp2_scalar, "log2": log2_scalar}  # by GLSL's names

@@ -6,6 +6,7 @@ pairs and triples of them, loops over whole numbers. Functions that these call a
 """
 
 import ast
+import inspect
 
 from sss_ref.interpret.kernel.instructions import (
     ALL_ROWS,
@@ -23,10 +24,12 @@ from sss_ref.interpret.kernel.instructions import (
     constant,
     scopes,
 )
+from sss_ref.numerics.scalar import SCALARS
 
 ARGUMENTS = {"scratch": POINTER, "count": WHOLE, "rows": POINTER, "uniforms": POINTER, "tables": POINTER}
-SCALARS = {"pow_scalar": 2, "exp_scalar": 1, "exp2_scalar": 1, "log2_scalar": 1}  # float32 each, the module's user has
-CALLED = {"np.sqrt": "llvm.sqrt.f32", "np.floor": "llvm.floor.f32", **{name: name for name in SCALARS}}
+ROUNDED = {"np.sqrt": "llvm.sqrt.f32", "np.floor": "llvm.floor.f32"}
+ELEMENTARY = {each.__name__: len(inspect.signature(each).parameters) for each in SCALARS.values()}  # the user has them
+CALLED = ROUNDED | {name: name for name in ELEMENTARY}
 ACCESSED = {"float": FLOAT, "int": WORD, "word": WORD, "byte": BYTE}  # the ends of the names in `row_memory`
 
 
@@ -34,8 +37,8 @@ def assembled(source: str, prefix: str) -> str:
     """The module of a Python source; its function `name` is here prefix.name, which no other module has."""
     outside = Outside(ast.parse(source))
     functions = [AssembledFunction(f"{prefix}.{each.name}", outside, each.body) for each in outside.of_rows]
-    declared = [f"declare float @{name}(float)" for name in ("llvm.sqrt.f32", "llvm.floor.f32")]
-    declared += [f"declare float @{name}({', '.join(['float'] * count)})" for name, count in SCALARS.items()]
+    numbers = dict.fromkeys(ROUNDED.values(), 1) | ELEMENTARY
+    declared = [f"declare float @{name}({', '.join(['float'] * count)})" for name, count in numbers.items()]
     return "\n".join([*declared, *(each.text for each in functions), *scopes(max(each.rows for each in functions))])
 
 

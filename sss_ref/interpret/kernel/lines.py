@@ -10,6 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from sss_ref.numerics.scalar import SCALARS
+
 INDENT = "    "
 FIRST = "_first"  # added to the name of a texel's number: that of the first fragment, were all side by side
 
@@ -182,7 +184,7 @@ class LoopLines(StageLines):
     def elementary(self, function: str, arguments: Sequence[Scalar]) -> Scalar:
         """One of the elementary functions, as a function of numbers."""
         places = ", ".join(f"{{{k}}}" for k in range(len(arguments)))
-        return self.join(f"{function}_scalar({places})", float, *arguments)
+        return self.join(f"{SCALARS[function].__name__}({places})", float, *arguments)
 
     def loop(self, name: str, start: Scalar, stop: Scalar) -> "WrittenLoop":
         """A loop inside this one."""

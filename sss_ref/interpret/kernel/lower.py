@@ -11,6 +11,7 @@ from typing import Any, get_args, get_origin
 from sss_ref.interpret.kernel.lines import Memory, Scalar, StageLines, Value
 from sss_ref.language import tree
 from sss_ref.language.types import Array, Texture, Vector, ivec2, mat3, mat4
+from sss_ref.numerics.scalar import SCALARS
 
 TEMPLATES = {
     "sqrt": "np.sqrt({0})",
@@ -22,7 +23,6 @@ TEMPLATES = {
     "int32": "np.int32({0})",
 }
 USED_TWICE = ("min", "max")  # arguments of these stand twice in the template
-ELEMENTARY = ("pow", "exp", "exp2", "log2")  # each a function over a whole row
 FETCH = {float: "texel_float({0}, {1})", int: "texel_int({0}, {1})", bool: "(texel_byte({0}, {1}) != 0)"}
 COMPARISONS = ("<", "<=", ">", ">=", "==", "!=", "&", "|")
 
@@ -198,7 +198,7 @@ class Lowering:
         count = max(len(argument) for argument in arguments)
         columns = [self.spread(argument * count) if len(argument) < count else argument for argument in arguments]
         rows = list(zip(*columns, strict=True))
-        if name in ELEMENTARY:
+        if name in SCALARS:
             return [self.lines.elementary(name, row) for row in rows]
         if name in USED_TWICE:
             rows = [tuple(self.lines.atom(self.prefix + name, value) for value in row) for row in rows]

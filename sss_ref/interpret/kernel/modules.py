@@ -21,9 +21,7 @@ from sss_ref.interpret.kernel.row_function import row_function
 from sss_ref.interpret.kernel.source import StageSource
 from sss_ref.interpret.kernel.stage_rows import StageCall
 from sss_ref.language.stage import Stage
-from sss_ref.numerics.scalar import exp2_scalar, exp_scalar, log2_scalar, pow_scalar
-
-SCALARS = (exp2_scalar, exp_scalar, log2_scalar, pow_scalar)
+from sss_ref.numerics.scalar import SCALARS
 
 
 class StageCode:
@@ -63,7 +61,7 @@ def linked(source: str, name: str) -> str:
 
 def make_scalars_known(text: str) -> None:
     """Have the elementary functions that loops call found by their names."""
-    for function in SCALARS:
+    for function in SCALARS.values():
         if f"{function.__name__}(" in text:
             make_known(function.__name__, address_of_scalar(function))
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 from sss_ref.interpret.kernel.lines import FIRST, INDENT, Accumulator, Line, RowCall, RowLoop
 from sss_ref.interpret.kernel.stage_rows import READ, StageCall, StageRows
 from sss_ref.language.stage import Stage
+from sss_ref.numerics.scalar import SCALARS
 
 HEADER = '''"""Stage {name}: {source}. Written by sss_ref from the stage; do not edit."""
 
@@ -25,7 +26,7 @@ from sss_ref.interpret.kernel.row_memory import (
 )
 from sss_ref.interpret.kernel.row_function import row_function
 '''
-SCALARS = "from sss_ref.numerics.scalar import exp2_scalar, exp_scalar, log2_scalar, pow_scalar\n"
+ELEMENTARY = f"from sss_ref.numerics.scalar import {', '.join(sorted(each.__name__ for each in SCALARS.values()))}\n"
 REREAD = {
     float: "reread_float({2}, {0}, {1})",
     int: "reread_int({2}, {0}, {1})",
@@ -65,7 +66,7 @@ class StageSource:
         functions = "\n\n".join(self.functions)
         literals = sorted(self.rows.lines.shared.literals.items())
         constants = "".join(f"{name} = {value}\n" for name, value in literals)
-        return f"{header}{SCALARS if '_scalar(' in functions else ''}\n{constants}\n\n{functions}"
+        return f"{header}{ELEMENTARY if '_scalar(' in functions else ''}\n{constants}\n\n{functions}"
 
     def add(self, function: "RowFunction") -> None:
         """A function of the module, and its call."""
