@@ -13,7 +13,7 @@ SWAPPED = {
     ast.Mult: ast.Div, ast.Div: ast.Mult, ast.FloorDiv: ast.Mult, ast.And: ast.Or, ast.Or: ast.And,
     ast.BitAnd: ast.BitOr, ast.BitOr: ast.BitAnd, ast.RShift: ast.LShift, ast.LShift: ast.RShift,
 }  # fmt: skip
-OF_A_ROW = ("write_float", "write_int", "reread_float", "reread_int")  # see interpret/kernel/row_memory.py
+OF_A_ROW = ("write_float", "write_int", "reread_float", "reread_int")  # see interpret/kernel/plain_memory.py
 
 
 @dataclass(frozen=True, eq=False)

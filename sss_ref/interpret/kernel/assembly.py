@@ -30,7 +30,7 @@ ARGUMENTS = {"scratch": POINTER, "count": WHOLE, "rows": POINTER, "uniforms": PO
 ROUNDED = {"np.sqrt": "llvm.sqrt.f32", "np.floor": "llvm.floor.f32"}
 ELEMENTARY = {each.__name__: len(inspect.signature(each).parameters) for each in SCALARS.values()}  # the user has them
 CALLED = ROUNDED | {name: name for name in ELEMENTARY}
-ACCESSED = {"float": FLOAT, "int": WORD, "word": WORD, "byte": BYTE}  # the ends of the names in `row_memory`
+ACCESSED = {"float": FLOAT, "int": WORD, "word": WORD, "byte": BYTE}  # the ends of the names in `plain_memory`
 
 
 def assembled(source: str, prefix: str) -> str:
@@ -198,7 +198,7 @@ class AssembledFunction(Instructions):
         return self.named(value.kind, f"phi {value.kind} {', '.join(ways)}")
 
     def call(self, function: str, arguments: list[ast.expr]) -> Value:
-        """A call: of a type, of what `row_memory` has, of an elementary function, of one of the module."""
+        """A call: of a type, of what `plain_memory` has, of an elementary function, of one of the module."""
         if function in self.outside.called:
             return self.written_out(self.outside.called[function], arguments)
         if function.startswith("reread_"):

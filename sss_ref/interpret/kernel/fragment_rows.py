@@ -1,9 +1,13 @@
-"""Rows that a draw fills, and rows that go into buffers: functions of rows that no stage is behind."""
+"""Rows that a draw fills, and rows that go into buffers: functions of rows that no stage is behind.
+
+assembly.py translates them for LLVM, as it does what is written for stages; without a compiler they run as they are.
+"""
+
+from typing import Any
 
 import numpy as np
 
-from sss_ref.cache.compiled import part_of_kernels
-from sss_ref.interpret.kernel.row_memory import (
+from sss_ref.interpret.kernel.plain_memory import (
     put_byte,
     put_float,
     put_word,
@@ -21,8 +25,7 @@ from sss_ref.language.types import ivec2
 PACK = 8  # columns of a vertex that are interpolated side by side
 
 
-@part_of_kernels
-def beginning(scratch, count, index):
+def beginning(scratch: Any, count: Any, index: Any) -> Any:
     """The first index of a strip, which ascend in the row `index`, if none is left out up to the last, else -1.
 
     Then what is at the indices lies side by side, and processors move several at once.
@@ -31,8 +34,7 @@ def beginning(scratch, count, index):
     return first if np.int64(read_int(scratch, index + count - 1)) - first == count - 1 else np.int64(-1)
 
 
-@part_of_kernels
-def numbered(scratch, index, begin, k):
+def numbered(scratch: Any, index: Any, begin: Any, k: Any) -> Any:
     """Index number k of a strip with this `beginning`."""
     return begin + k if begin >= 0 else np.int64(read_int(scratch, index + k))
 
@@ -185,8 +187,7 @@ def weights(scratch, count, rows, uniforms, tables):
         write_float(6, scratch, total + k, (wa + wb) + wc)
 
 
-@part_of_kernels
-def mixed(values, weights, total):
+def mixed(values: Any, weights: Any, total: Any) -> Any:
     """What is interpolated (rule R5), from the three corners' values and weights."""
     return ((values[0] * weights[0] + values[1] * weights[1]) + values[2] * weights[2]) / total
 

@@ -62,7 +62,12 @@ def constant(kind: str, number: float) -> Value:
 
 
 def scopes(rows: int) -> list[str]:
-    """What tells apart the rows that a function writes (row_memory.py): lists of all, of each one, of all others."""
+    """What tells apart the rows that a function writes: lists of all, of each one, of all others.
+
+    A kernel gets its rows by their places, so LLVM cannot know that two of them are apart, and would not compute
+    several fragments at once. So every access says which row it may touch: one that is written is no other row, and
+    nothing that is written is ever a texture, a uniform, or a row that is only read.
+    """
     names = [f'!{3 * row + 2} = !{{!"row {row}", !0}}' for row in range(rows)]
     own = [f"{own_row(row)} = !{{!{3 * row + 2}}}" for row in range(rows)]
     others = [f"{other_rows(row)} = !{{{listed(each for each in range(rows) if each != row)}}}" for row in range(rows)]

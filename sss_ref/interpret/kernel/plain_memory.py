@@ -1,6 +1,6 @@
-"""What `row_memory` and `row_function` do, in Python: kernels run by this where numba's compiler is off.
+"""What kernels call to touch memory, in Python: what assembly.py and row_memory.py have compilers do instead.
 
-A pointer is an array here, an address a number as there.
+By this they run where numba's compiler is off. A pointer is an array here, an address a number as there.
 """
 
 import ctypes

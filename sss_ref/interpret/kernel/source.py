@@ -12,7 +12,7 @@ HEADER = '''"""Stage {name}: {source}. Written by sss_ref from the stage; do not
 
 import numpy as np
 
-from sss_ref.interpret.kernel.row_memory import (
+from sss_ref.interpret.kernel.plain_memory import (
     chosen,
     read_float,
     read_int,

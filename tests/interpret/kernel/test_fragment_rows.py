@@ -6,7 +6,6 @@ import pytest
 from sss_ref.interpret.kernel import fragment_rows
 from sss_ref.interpret.kernel.modules import address_of
 from sss_ref.interpret.kernel.program import STRIP, Program, run
-from sss_ref.interpret.kernel.row_memory import write_int
 
 F = np.float32
 STEP = 16  # snapped units a pixel
@@ -52,18 +51,12 @@ def words(count, columns, seed=1):
     return np.random.default_rng(seed).integers(-(2**30), 2**30, (count, columns)).astype(np.int32)
 
 
-def begin_of(scratch, count, rows, uniforms, tables):
-    """The `beginning` of the row of indices, into every element of another."""
-    for k in range(count):
-        write_int(0, scratch, rows[1] + k, np.int32(fragment_rows.beginning(scratch, count, rows[0])))
-
-
 @pytest.mark.parametrize(
     ("name", "begin"), [("one", 5), ("side by side", 3), ("a hole", -1), ("a hole at the end", -1), ("every other", -1)]
 )
 def test_what_lies_side_by_side_has_a_beginning(name, begin):
-    index = index_of(name)
-    assert ran(begin_of, [index], 1).tolist() == [[begin] * len(index)]
+    scratch = np.concatenate([words(4, 1)[:, 0], index_of(name)]).view(F)
+    assert fragment_rows.beginning(scratch, len(INDICES[name]), 4) == begin
 
 
 @pytest.mark.parametrize(("columns", "first", "channels"), PLACES)

@@ -6,16 +6,16 @@ import pytest
 from sss_ref.interpret.kernel.fragment_rows import clear_words, put_words
 from sss_ref.interpret.kernel.modules import address_of
 from sss_ref.interpret.kernel.program import COLUMN, EMPTY, ENOUGH, INDEX, ROW, STRIP, Program, end_of_run, run_rows
-from sss_ref.interpret.kernel.row_memory import put_word, read_float, texel_int, write_float
+from sss_ref.interpret.kernel.row_memory import read_float, write_float
 
 F = np.float32
 
 
 def note_count(scratch, count, rows, uniforms, tables):
-    """Write how many fragments a strip has behind what is written: tables: address of their number, then they."""
-    number = texel_int(tables[0], np.int64(0)) + 1
-    put_word(tables[0], np.int64(0), number)
-    put_word(tables[0], np.int64(number), np.int32(count))
+    """Write how many fragments a strip has behind what is written: uniforms: their number, then they."""
+    number = read_float(uniforms, 0) + np.float32(1)
+    write_float(0, uniforms, 0, number)
+    write_float(0, uniforms, np.int64(number), np.float32(count))
 
 
 def add_up(scratch, count, rows, uniforms, tables):
@@ -26,17 +26,18 @@ def add_up(scratch, count, rows, uniforms, tables):
 
 
 def noting():
-    """A program that notes its strips, and the notes."""
-    program, notes = Program(), np.zeros(100, np.int32)
-    program.add(address_of(note_count), [], tables=[program.address(notes)])
-    return program, notes
+    """Calls that note the strips among their uniforms."""
+    program = Program()
+    program.add(address_of(note_count), [], [np.zeros(100, F)])
+    return program.calls
 
 
 def strips_of(where, first_row=0):
     """How many fragments the strips have, and how many pixels those of pixels without one."""
-    (filling, filled), (clearing, cleared) = noting(), noting()
-    run_rows(where, first_row, filling.calls, clearing.calls, np.zeros(4 * STRIP, F))
-    return filled[1 : filled[0] + 1].tolist(), cleared[1 : cleared[0] + 1].tolist()
+    filling, clearing = noting(), noting()
+    run_rows(where, first_row, filling, clearing, np.zeros(4 * STRIP, F))
+    filled, cleared = ([int(each) for each in calls.uniforms] for calls in (filling, clearing))
+    return filled[1 : filled[0] + 1], cleared[1 : cleared[0] + 1]
 
 
 @pytest.mark.parametrize(
