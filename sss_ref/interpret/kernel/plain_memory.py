@@ -35,62 +35,62 @@ def call(
     FUNCTIONS[address](scratch, count, rows[first_row:], uniforms[first_uniform:], tables[first_table:])
 
 
-def read_float(memory: np.ndarray, index: int) -> Any:
+def read_float(memory: np.ndarray, index: Any) -> Any:
     """A float32 of the scratch or of the uniforms."""
     return memory[index]
 
 
-def read_int(memory: np.ndarray, index: int) -> Any:
+def read_int(memory: np.ndarray, index: Any) -> Any:
     """The bits of a float32 there as int32."""
     return memory.view(np.int32)[index]
 
 
-def reread_float(row: int, memory: np.ndarray, index: int) -> Any:
+def reread_float(row: int, memory: np.ndarray, index: Any) -> Any:
     """A float32 of a row that is written."""
     return memory[index]
 
 
-def reread_int(row: int, memory: np.ndarray, index: int) -> Any:
+def reread_int(row: int, memory: np.ndarray, index: Any) -> Any:
     """An int32 of a row that is written."""
     return memory.view(np.int32)[index]
 
 
-def write_float(row: int, memory: np.ndarray, index: int, value: Any) -> None:
+def write_float(row: int, memory: np.ndarray, index: Any, value: Any) -> None:
     """Write a float32 into a row."""
     memory[index] = value
 
 
-def write_int(row: int, memory: np.ndarray, index: int, value: Any) -> None:
+def write_int(row: int, memory: np.ndarray, index: Any, value: Any) -> None:
     """Write an int32 into a row."""
     memory.view(np.int32)[index] = value
 
 
-def texel_float(address: int, index: int) -> Any:
+def texel_float(address: int, index: Any) -> Any:
     """A float32 of a texture or array."""
     return np.float32(ctypes.c_float.from_address(int(address) + 4 * int(index)).value)
 
 
-def texel_int(address: int, index: int) -> Any:
+def texel_int(address: int, index: Any) -> Any:
     """An int32 of a texture or array."""
     return np.int32(ctypes.c_int32.from_address(int(address) + 4 * int(index)).value)
 
 
-def texel_byte(address: int, index: int) -> Any:
+def texel_byte(address: int, index: Any) -> Any:
     """A byte of a texture or array."""
     return np.uint8(ctypes.c_uint8.from_address(int(address) + int(index)).value)
 
 
-def put_float(address: int, index: int, value: Any) -> None:
+def put_float(address: int, index: Any, value: Any) -> None:
     """Write a float32 into a buffer."""
     ctypes.c_float.from_address(int(address) + 4 * int(index)).value = float(value)
 
 
-def put_word(address: int, index: int, value: Any) -> None:
+def put_word(address: int, index: Any, value: Any) -> None:
     """Write 32 bits into a buffer."""
     ctypes.c_int32.from_address(int(address) + 4 * int(index)).value = int(value)
 
 
-def put_byte(address: int, index: int, value: Any) -> None:
+def put_byte(address: int, index: Any, value: Any) -> None:
     """Write a byte into a buffer."""
     ctypes.c_uint8.from_address(int(address) + int(index)).value = int(value)
 
