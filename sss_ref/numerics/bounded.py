@@ -25,6 +25,7 @@ from sss_ref.numerics.interval import (
     point,
     product,
     quotient,
+    unbounded_for_nan,
     unbounded_where,
     without_factor,
 )
@@ -169,7 +170,8 @@ class Bounded:
         of_inverse = self._error(self.inversesqrt_ulp, 1.0 / shortest) * longest
         low = np.minimum(1.0 / (1.0 + of_root), 1.0 - of_inverse) / np.sqrt(1.0 + of_dot)
         high = np.maximum(1.0 / (1.0 - of_root), 1.0 + of_inverse) / np.sqrt(1.0 - of_dot)
-        undefined = ~((low > 0) & (high > 0) & (squares.high <= self.largest))
+        error = reduce(np.maximum, (of_dot, of_root, of_inverse))  # from 1 on, what comes out may be 0 or less
+        undefined = ~((error < 1) & (squares.high <= self.largest))
         factor = unbounded_where(undefined, Interval(low, high))
         return chosen(point(squares.high > 0), factor, point(np.float64(1)))
 
@@ -234,9 +236,7 @@ class Bounded:
 
     def representable(self, a: Interval) -> Interval:
         """The interval with 0 where it has a number too small for this arithmetic, infinity where one too large."""
-        if all(map(self._ordinary, ends(a))):
-            return a
-        return self._in_range((a.low, False), (a.high, False))
+        return a if all(map(self._ordinary, ends(a))) else self._within_range(a)
 
     @property
     def _ordinary_size(self) -> tuple[float, float]:
@@ -245,9 +245,13 @@ class Bounded:
 
     def _in_range(self, low: tuple[Any, bool], high: tuple[Any, bool]) -> Interval:
         """The interval between ends, each with whether all of its numbers are ordinary."""
-        if low[1] and high[1]:
-            return Interval(low[0], high[0])
-        return Interval(self._low_in_range(low[0]), -self._low_in_range(-high[0]))
+        found = Interval(low[0], high[0])
+        return found if low[1] and high[1] else self._within_range(found)
+
+    def _within_range(self, a: Interval) -> Interval:
+        """The interval with ends in the range of normal numbers; any value where one is NaN."""
+        a = unbounded_for_nan(a)
+        return Interval(self._low_in_range(a.low), -self._low_in_range(-a.high))
 
     def _ordinary(self, x: Any) -> bool:
         """Whether all numbers are 0 or normal."""
@@ -258,10 +262,10 @@ class Bounded:
         return bool(size.max(initial=0.0) <= self.largest) and not np.any((size < self.smallest_normal) & (size > 0))
 
     def _low_in_range(self, low: Any) -> Any:
-        """A lower end in the range of normal numbers; NaN becomes -inf."""
+        """A lower end in the range of normal numbers."""
         near_zero = np.where(low < 0, -self.smallest_normal, 0.0)
         normal = np.where(np.abs(low) < self.smallest_normal, near_zero, low)
-        return np.where(normal > self.largest, self.largest, np.where(normal >= -self.largest, normal, -INFINITY))
+        return np.where(normal >= -self.largest, np.minimum(normal, self.largest), -INFINITY)
 
 
 def _spread(ulps: Any, x: Any) -> Any:

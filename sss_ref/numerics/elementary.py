@@ -232,10 +232,11 @@ def _can_be_tie(x: Any, y: Any) -> bool:
 
     Take square roots of x while y is no integer and they are exact; x is then an odd number times a power of two,
     y an integer, and x^y has as many bits as odd^y. Otherwise x^y is irrational, or its odd denominator is above 1.
+    A root is exact if it is a float32: two numbers of 24 and 48 bits that are not the same are 2^-48 apart at least.
     """
     while y != np.floor(y):
         root = np.sqrt(x)
-        if np.float32(root) != root or root * root != x:
+        if np.float32(root) != root:
             return False
         x, y = root, 2.0 * y
     bits = y * _log2(_odd_part(x))

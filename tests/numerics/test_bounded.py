@@ -1,5 +1,6 @@
 """How far results reach, worked out by hand: a bound that is wider than it says hides what it should show."""
 
+from dataclasses import asdict, replace
 from fractions import Fraction
 
 import numpy as np
@@ -14,6 +15,26 @@ COARSE = Bounded(relative=2.0**-10)
 FLUSHING = Bounded(smallest_normal=2.0**-20)
 MARGIN = 1 + Fraction(2) ** -14  # what bounds grow by for products of errors
 TINY = Fraction(2) ** -40  # what float64 may err, relative
+
+
+# Vulkan 1.3, appendix "Precision of Core SPIR-V Instructions", for float32; sqrt inherits from 1 / inversesqrt.
+SPECIFIED = {
+    "relative": 0.0,
+    "smallest_normal": 2.0**-126,
+    "largest": 2.0**128 - 2.0**104,
+    "largest_denominator": 2.0**126,
+    "divide_ulp": 2.5,
+    "inversesqrt_ulp": 2.0,
+    "sqrt_ulp": 6.5,
+    "exp_ulp": 3.0,
+    "exp_ulp_each": 2.0,
+    "log_ulp": 3.0,
+    "log_absolute": 2.0**-21,
+}
+
+
+def test_unless_told_otherwise_the_bounds_are_those_of_vulkan():
+    assert asdict(VULKAN) == SPECIFIED
 
 
 def numbers(*values):
@@ -50,6 +71,35 @@ def test_what_is_1_reaches_as_many_steps_as_its_bound_has(operation, operands, b
     with np.errstate(all="ignore"):
         found = getattr(VULKAN, operation)(*numbers(*operands))
     assert ends_of(found) == (1 - below * BELOW, 1 + above * ABOVE)
+
+
+@pytest.mark.parametrize(("x", "ulps"), [(4, 11), (-4, 11), (-1, 5), (100, 203), (-100, 203)])
+def test_an_exponential_errs_by_two_ulp_more_for_each_of_its_argument(x, ulps):
+    """An ULP is two steps below a power of two, and one above; outward it is a step more of each."""
+    value = 2.0**x
+    found = ends_of(VULKAN.exp2(*numbers(x)))
+    assert found == (value * (1 - (2 * ulps + 1) * BELOW), value * (1 + (ulps + 1) * ABOVE))
+
+
+@pytest.mark.parametrize(
+    ("operation", "ends"),
+    [
+        ("inversesqrt", [(0, 1)]),
+        ("inversesqrt", [(-1, 4)]),
+        ("pow", [(0, 0.5), (0, 0)]),
+        ("pow", [(0, 0.5), (-1, 2)]),
+        ("pow", [(-0.5, 0.5), (1, 2)]),
+        ("multiply", [(0, 0), (-np.inf, 5)]),  # 0 * infinity is no number
+        ("multiply", [(0, 0), (5, np.inf)]),
+        ("add", [(1, np.inf), (-np.inf, -np.inf)]),
+        ("log2", [(-1, 2)]),
+        ("sqrt", [(-1, 4)]),
+    ],
+)
+def test_what_has_no_bound_may_be_anything(operation, ends):
+    with np.errstate(all="ignore"):
+        found = getattr(VULKAN, operation)(*(Interval(*map(np.float64, each)) for each in ends))
+    assert ends_of(found) == (-np.inf, np.inf)
 
 
 def test_a_root_errs_as_an_inverse_and_a_quotient_do():
@@ -191,6 +241,35 @@ def test_ordinary_numbers_are_kept_as_they_are(count):
     for value in (0.0, 1.0, -(2.0**-126), 2.0**-126, float(np.finfo(np.float32).max)):
         x = point(np.full(count, value))
         assert VULKAN.representable(x) is x
+
+
+NO_LENGTH = 2.0**23 - 2.0**-17  # ULP of 1 that are 1 with what float64 errs
+
+
+@pytest.mark.parametrize(
+    ("bounds", "is_known"),
+    [
+        ({"inversesqrt_ulp": NO_LENGTH}, False),
+        ({"inversesqrt_ulp": NO_LENGTH - 1}, True),
+        ({"sqrt_ulp": NO_LENGTH, "divide_ulp": 2.0**24}, False),
+        ({"sqrt_ulp": NO_LENGTH - 1, "divide_ulp": 2.0**24}, True),
+        ({"largest": 1.0}, True),
+        ({"largest": 1 - 2.0**-24}, False),
+    ],
+)
+def test_a_vector_whose_length_may_come_out_as_0_has_any_direction(bounds, is_known):
+    """(1): an inverse, or a root, that errs by all of it; and a square that may be more than the largest number."""
+    arithmetic = replace(EXACT, **bounds)
+    with np.errstate(all="ignore"):
+        (x,) = arithmetic.normalize(numbers(1))
+    assert (ends_of(x.factor) != (-np.inf, np.inf)) is is_known
+
+
+@pytest.mark.parametrize("other", [0.0, 1.0, -1.0, 2.0**-126, -(2.0**-126), 2.0**128 - 2.0**104, 2.0**104 - 2.0**128])
+@pytest.mark.parametrize("strange", [2.0**-127, -np.inf, np.inf, np.nan])
+def test_beside_a_number_out_of_range_those_in_range_stay(other, strange):
+    found = VULKAN.representable(Interval(np.array([other, strange]), np.array([other, strange])))
+    assert (found.low[0], found.high[0]) == (other, other)
 
 
 @pytest.mark.parametrize("count", [1, 300], ids=["few", "a row"])

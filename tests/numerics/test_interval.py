@@ -13,6 +13,7 @@ from sss_ref.numerics.bounded import Bounded
 from sss_ref.numerics.directed import downward, nearest, two_sum, ulp, upward
 from sss_ref.numerics.ieee import Ieee
 from sss_ref.numerics.interval import Interval, point
+from sss_ref.numerics.outward import lowered, raised
 
 F = np.float32
 VULKAN = Bounded()
@@ -62,6 +63,28 @@ def test_a_sum_knows_what_float64_has_lost():
     assert ends_of(VULKAN.add(scalar(1), scalar(-(2.0**-60)))) == (1.0 - 2.0**-24, 1.0)
     assert ends_of(VULKAN.add(scalar(-1), scalar(2.0**-60))) == (-1.0, -1.0 + 2.0**-24)
     assert two_sum(1.0, 2.0**-60) == (1.0, 2.0**-60)
+
+
+@pytest.mark.parametrize(
+    ("x", "error", "below", "above"),
+    [
+        (1 + 2.0**-52, -(2.0**-60), 1, 1 + 2.0**-23),  # a little less than what float64 has next to 1
+        (1 - 2.0**-53, 2.0**-60, 1 - 2.0**-24, 1),
+        (1 + 2.0**-52, 2.0**-60, 1, 1 + 2.0**-23),
+        (1 - 2.0**-53, -(2.0**-60), 1 - 2.0**-24, 1),
+        (1, -(2.0**-60), 1 - 2.0**-24, 1),
+        (1, 2.0**-60, 1, 1 + 2.0**-23),
+        (1, 0.0, 1, 1),
+        (2.0**-149, 0.0, 2.0**-149, 2.0**-149),
+        (0, 0.0, 0, 0),
+    ],
+)
+def test_directed_rounding_of_what_float64_has_lost_in_part(x, error, below, above):
+    for sign in (1, -1):
+        wanted = sorted((sign * below, sign * above))
+        one, lost = np.float64(sign * x), np.float64(sign * error)
+        assert [float(downward(one, lost)), float(upward(one, lost))] == wanted
+        assert [float(lowered(one, lost)), float(raised(one, lost))] == wanted
 
 
 @given(floats, floats)

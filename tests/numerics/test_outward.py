@@ -10,6 +10,7 @@ from sss_ref.numerics.bounded import Bounded
 from sss_ref.numerics.interval import Interval, point
 
 SPECIAL = (0.0, -0.0, 1.0, -1.0, 0.1, 2.0**-126, 2.0**-127, -(2.0**-140), 1e-300, 3.4028235e38, 3.5e38, -1e300)
+NEXT_TO_ONE = (1 + 2.0**-52, 1 - 2.0**-53, 2.0**-60, -(2.0**-60))  # sums of them err, by what changes the rounding
 NOT_FINITE = (np.inf, -np.inf, np.nan)
 KINDS = [Bounded(), Bounded(relative=2.0**-10, smallest_normal=2.0**-14, largest=65504.0)]
 
@@ -31,7 +32,7 @@ def same(found: Interval, expected: Interval) -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS, ids=["vulkan", "coarse"])
-@pytest.mark.parametrize("values", [SPECIAL, SPECIAL + NOT_FINITE], ids=["finite", "all"])
+@pytest.mark.parametrize("values", [SPECIAL + NEXT_TO_ONE, SPECIAL + NOT_FINITE], ids=["finite", "all"])
 def test_rows_are_what_numpy_makes_of_them(monkeypatch: pytest.MonkeyPatch, kind: Bounded, values: tuple[float, ...]):
     a, b = intervals(7, values)
     t = Interval(np.float64(0.3), np.float64(0.3)), Interval(np.float64(0.0), np.float64(0.0))
@@ -52,6 +53,25 @@ def test_rows_are_what_numpy_makes_of_them(monkeypatch: pytest.MonkeyPatch, kind
         monkeypatch.setattr(outward, "LEAST", len(a.low) + 1)
         for name, operation in operations.items():
             same(fast[name], operation())
+
+
+@pytest.mark.parametrize("end", ["low", "high"])
+@pytest.mark.parametrize("operation", ["add", "multiply", "mix", "divide"])
+def test_a_row_with_one_end_out_of_range_is_what_numpy_makes_of_it(monkeypatch, operation, end):
+    """Of all ends but one it is known that they are ordinary."""
+    low, high = np.ones(300), np.full(300, 2.0)
+    (low if end == "low" else high)[150] = -1e-300 if end == "low" else 3e38
+    a, b = Interval(low, high), Interval(np.ones(300), np.full(300, 4.0))
+    operations = {
+        "add": lambda: KINDS[0].add(a, Interval(b.low * 0, b.high * 0.5e38)),
+        "multiply": lambda: KINDS[0].multiply(a, b),
+        "mix": lambda: KINDS[0].mix(a, point(np.zeros(300)), point(np.zeros(300))),
+        "divide": lambda: KINDS[0].divide(a, Interval(b.low * 0.25, b.high)),
+    }
+    fast = operations[operation]()
+    monkeypatch.setattr(outward, "LEAST", 301)
+    same(fast, operations[operation]())
+    assert (fast.low[0], np.isfinite(fast.high[0])) != (fast.low[150], np.isfinite(fast.high[150]))
 
 
 ORDINARY = (0.0, -0.0, 1.0, -(2.0**-126), 2.0**-126, float(np.finfo(np.float32).max))
