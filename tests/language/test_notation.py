@@ -66,7 +66,10 @@ def grouped(a: float, b: float, c: vec4) -> vec3:
     left = a + b + a * (b - (a - b))
     right = -(a * b) / (a / b) - -1.5
     both = (left < right) & ((a >= b) | (a == b))
-    return select(both, c * (left * right), -c).xyz
+    one = ((a < b) | both) & (both | (a != b) & (b == a))
+    mixed = (a - b) * a / b + (a + b) / (a * b) - (-a) * (b / a)
+    turned = (-c).xyz * -(a + b) - (-(a / b) + mixed)
+    return select(one, c * (left * right), -c).xyz + turned
 
 
 def test_parentheses_stand_where_the_order_needs_them():
@@ -74,5 +77,8 @@ def test_parentheses_stand_where_the_order_needs_them():
         "a + b + a * (b - (a - b))",
         "-(a * b) / (a / b) - -1.5",
         "(left < right) & ((a >= b) | (a == b))",
-        "select(both, c * (left * right), -c).xyz",
+        "((a < b) | both) & (both | (a != b) & (b == a))",
+        "(a - b) * a / b + (a + b) / (a * b) - -a * (b / a)",
+        "(-c).xyz * -(a + b) - (-(a / b) + mixed)",
+        "select(one, c * (left * right), -c).xyz + turned",
     ]

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from sss_ref.raster.coverage import at, edges, owns_its_samples
+from sss_ref.raster.coverage import acceptance, at, covered_columns, edges, least, owns_its_samples
 from sss_ref.raster.primitives import Primitives
 from sss_ref.raster.rasterize import visibility
 from sss_ref.raster.viewport import Viewport
@@ -41,6 +41,48 @@ def test_left_and_minimum_row_edges_own_their_samples(corners):
     assert covered(primitives, Viewport(4, 4)).tolist() == [[1, 1, 1, 0], [1, 1, 0, 0], [1, 0, 0, 0], [0, 0, 0, 0]]
     primitives = flat([corners], [(3, 3), (0, 3), (3, 0)])
     assert covered(primitives, Viewport(4, 4)).tolist() == [[0, 0, 0, 0], [0, 0, 1, 0], [0, 1, 1, 0], [0, 0, 0, 0]]
+
+
+@pytest.mark.parametrize("corners", [(0, 1, 2), (2, 1, 0)])
+@pytest.mark.parametrize("width", [47, 48, 49, 70])
+def test_a_wide_piece_owns_its_left_and_its_lowest_samples(corners, width):
+    """Between what is tried at every column of its box and what is first asked where in a row it lies."""
+    viewport = Viewport(width + 2, 3)
+    upright = covered(flat([corners], [(1, 0), (width, 0), (1, 2)]), viewport)
+    assert upright.sum(axis=1).tolist() == [width - 1, width // 2, 0]
+    assert upright[:2, 1].tolist() == [1, 1] and not upright[:, 0].any()
+    turned = covered(flat([corners], [(width, 2), (1, 2), (width, 0)]), viewport)
+    assert turned.sum(axis=1).tolist() == [0, (width - 1) // 2, 0]
+
+
+@pytest.mark.parametrize("corners", [(0, 1, 2), (2, 1, 0)])
+def test_the_smallest_piece_covers_a_sample_at_its_lowest_left_corner(corners):
+    """Half a unit of the grid in area."""
+    at_a_sample = [(1, 1), (1 + 1 / STEP, 1), (1, 1 + 1 / STEP)]
+    assert covered(flat([corners], at_a_sample), Viewport(3, 2)).tolist() == [[0, 0, 0], [0, 1, 0]]
+
+
+WIDE_ONES = [
+    [(0, 0), (90, 0), (30, 60)],
+    [(5, 50), (80, 50), (40, 3)],
+    [(10, 2), (10, 70), (90, 30)],
+    [(90, 2), (90, 70), (10, 30)],
+    [(0.5, 0.5), (63.25, 7.125), (20.75, 55.5)],
+    [(3, 3), (70, 4), (36, 5)],
+    [(3, 40), (70, 40 + 1 / 256), (99, 40 + 2 / 256)],
+]
+
+
+@pytest.mark.parametrize("turn", [(0, 1, 2), (2, 1, 0), (1, 2, 0)])
+@pytest.mark.parametrize("samples", WIDE_ONES)
+def test_the_covered_columns_of_a_row_are_those_where_all_three_edges_accept(samples, turn):
+    """By trying each: at corners and edges on samples, and in rows of which none is covered."""
+    three = edges(flat([turn], samples), 0, STEP)
+    for row in range(-1, 73):
+        for first, last in ((0, 99), (12, 64), (40, 40)):
+            tried = [k for k in range(first, last + 1) if all(at(each, k, row) >= least(each) for each in three)]
+            low, high = covered_columns(tuple(map(acceptance, three)), row, first, last)
+            assert list(range(low, high + 1)) == tried
 
 
 def test_the_fill_rule_edge_by_edge():

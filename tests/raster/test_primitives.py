@@ -66,6 +66,22 @@ def test_a_vertex_without_a_place_in_the_window_is_marked():
     assert primitives.snapped.tolist() == [[2**24 - 640, 128], *[[0, 0]] * 4]
 
 
+def test_the_guard_itself_is_a_place():
+    """Of 4 x 2 pixels: snapped = (2*x/w + 1.5)*256 and (y/w + .5)*256; two units are the next float32."""
+    x, y, unit = 32767.25, 65535.5, 1 / 256
+    at_the_guard, beyond = [(x, 0, 0, 1), (0, y, 0, 1)], [(x + unit, 0, 0, 1), (0, y + 2 * unit, 0, 1)]
+    primitives = assembled([*at_the_guard, *beyond], triangles=())
+    assert primitives.snapped.tolist() == [[2**24, 128], [384, 2**24], [0, 0], [0, 0]]
+    assert primitives.inverse_w.tolist() == [1, 1, 0, 0]
+
+
+@pytest.mark.parametrize("corners", [(0, 1, 2), (1, 0, 2), (1, 2, 0)])
+def test_one_corner_without_a_place_drops_the_piece_whichever_it_is(corners):
+    vertices = [(0, 0, 0, 0), (0.5, 0, 0, 1), (0, 0.5, 0, 1), (0.25, 0.25, 0, 1), (-0.5, 0, 0, 1)]
+    primitives = assembled(vertices, triangles=(corners, (1, 2, 4)))
+    assert primitives.triangle.tolist() == [1]
+
+
 def test_no_triangles():
     primitives = assembled([(0, 0, 0, 1)], triangles=())
     assert primitives.corners.shape == (0, 3) and primitives.triangle.shape == (0,)
