@@ -6,12 +6,12 @@
 
 A place is an operator, a comparison, a number, a truth value, a `not`, outside types, decorators and the `strict` of
 zip. Each is changed in a copy of the package; then those of the recorded tests run that execute its line, and those of
-the file that mirrors the source, for nobody sees what is compiled execute: two of each function first, of that file
-before the others, the quickest first, as many as take `--limit` seconds. Where none that short is seen to execute it,
-it is the tests of that file, then its room's, then others that execute the file. A test counts that passes with the
-package as it is. Printed are the survivors, but for those that equivalent_mutants.toml says nobody can tell from the
-original, then the score of each room and of all: the share of the other mutants that make a test fail, or tests take
-four times as long and a minute.
+the file that mirrors the source, for nobody sees what is compiled execute: two of each function first, and sixteen of
+one in its room, of that file and room before the others, the quickest first, as many as take `--limit` seconds. Where
+none that short is seen to execute it, it is the tests of that file, then its room's, then others that execute the file.
+A test counts that passes with the package as it is. Printed are the survivors, but for those that
+equivalent_mutants.toml says nobody can tell from the original, then the score of each room and of all: the share of the
+other mutants that make a test fail, or tests take four times as long and a minute.
 """
 
 import argparse
@@ -39,7 +39,7 @@ HERE = Path(__file__).resolve().parents[1]
 EQUIVALENT = Path(__file__).with_name("equivalent_mutants.toml")
 SLOW = 10  # seconds beyond which a test is not run
 FEW = 12  # tests that run first
-SIMILAR = 2  # as many tests of a function run before the others of it
+SIMILAR, OF_ITS_ROOM = 2, 16  # as many tests of a function run before the others of it; of one of the mutant's room
 PRINTED = "printed.txt"  # what tests print, in their checkout
 SERVER = multiprocessing.get_context("forkserver")
 SERVER.set_forkserver_preload(
@@ -116,8 +116,10 @@ def chosen(mutant: Mutant, recorded: Recorded, limit: float) -> dict[str, float]
         functions: Counter[str] = Counter()
         ranked = {}
         for test in sorted(each, key=recorded.seconds.__getitem__):
-            function = test.partition("[")[0]
-            ranked[test] = (functions[function] // SIMILAR, not test.startswith(mirrored), recorded.seconds[test])
+            function, seconds = test.partition("[")[0], recorded.seconds[test]
+            is_near = test.startswith(f"tests/{mutant.room}/")
+            place = functions[function] // (OF_ITS_ROOM if is_near else SIMILAR)
+            ranked[test] = place, not test.startswith(mirrored), not is_near, seconds
             functions[function] += 1
         for test in sorted(each, key=lambda test: (ranked[test], test)):
             if recorded.seconds[test] < min(SLOW, limit - sum(tests.values())):
