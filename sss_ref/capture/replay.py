@@ -31,7 +31,7 @@ def main(capture: str, folder: str) -> None:
     file.Shutdown()
     rd.ShutdownReplay()
     with open(os.path.join(folder, "pictures.json"), "w", encoding="utf-8") as report:
-        json.dump(told, report, indent=1)
+        json.dump(told, report)
 
 
 class Replay:
