@@ -73,7 +73,7 @@ def _interpolated(visible: Visible, this_pass: Pass) -> np.ndarray:
     for name, first in varying_columns(this_pass)[0].items():
         columns = slice(first, first + CHANNELS[this_pass.draw.varyings[name]])
         slack = interpolation_slack(boxes, found.piece, column, row, own[:, columns], columns)
-        rounding = np.abs(own[:, columns].astype(np.float64)).max(axis=-1, keepdims=True) * INTERPOLATION
+        rounding = np.abs(own[:, columns].astype(np.float64)).max(axis=1, keepdims=True) * INTERPOLATION
         reach[:, columns] = slack + rounding
     reach[~boxes.drawable[found.piece]] = np.inf
     middle = np.nan_to_num(own.astype(np.float64))

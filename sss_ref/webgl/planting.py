@@ -1,8 +1,9 @@
 """Mistakes for readers to plant: wrong lines of a stage's shader, which a device shows beyond doubt."""
 
+from collections import defaultdict
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import islice
+from itertools import count, islice
 from typing import Any
 
 import numpy as np
@@ -71,12 +72,8 @@ def _results(mutant: Mutant, inputs: Sequence[Any]) -> Mapping[str, Any]:
 
 def _other_lines(stage: Stage) -> Iterator[Mutant]:
     """The mutants of a stage, each line's first ones before all others."""
-    turns: dict[str, int] = {}
-    ordered = []
-    for number, each in enumerate(mutants(stage)):
-        turns[each.line] = turns.get(each.line, 0) + 1
-        ordered.append((turns[each.line], number, each))
-    return (each for _, _, each in sorted(ordered, key=lambda one: one[:2]))
+    turns: defaultdict[str, Iterator[int]] = defaultdict(count)
+    return iter(sorted(mutants(stage), key=lambda each: next(turns[each.line])))
 
 
 def _is_seen(exam: Exam, results: Mapping[str, Any]) -> bool:
@@ -104,7 +101,7 @@ def _moves(right: list[np.ndarray], wrong: list[np.ndarray]) -> bool:
 def _is_elsewhere(right: np.ndarray, wrong: np.ndarray) -> bool:
     with np.errstate(invalid="ignore"):
         off = np.abs(wrong - right) > FAR_OFF * np.ptp(right, axis=0)
-    elsewhere = np.logical_or.reduce(off, axis=-1) & np.logical_and.reduce(np.isfinite(wrong), axis=-1)
+    elsewhere = off.any(axis=1) & np.isfinite(wrong).all(axis=1)
     return bool(elsewhere.mean() >= OF_VERTICES)
 
 

@@ -31,7 +31,7 @@ class ReferenceDraw:
 
 def reference_draw(oracle: Result, this_pass: Pass) -> ReferenceDraw:
     """The draw of a pass. oracle: a rendering with all buffers that the draw reads."""
-    sketch = draw(oracle.scene, this_pass, oracle.buffers, Machine(stops=False))
+    sketch = draw(oracle.scene, this_pass, oracle.buffers, Machine())
     fragments = sketch.fragments
     if not this_pass.draw.vertex_stages:
         return ReferenceDraw(fragments.where, {}, {})

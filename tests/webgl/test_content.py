@@ -11,8 +11,10 @@ from scenes import around, wedge, written
 
 from sss_ref import webgl
 from sss_ref.errors import SceneError, ShaderError
+from sss_ref.language.types import vec3, vec4
 from sss_ref.scene.load import load_scene
 from sss_ref.webgl import browser
+from sss_ref.webgl.content import output, pass_settings, texture
 
 
 def loaded(tmp_path, **tables):
@@ -55,6 +57,35 @@ def test_a_page_draws_registers_on_demand(tmp_path):
     (draw,) = held["passes"][-1]["draws"]
     assert [output["name"] for output in draw["outputs"]] == ["exact_lit", "lit"]
     assert "out_exact_lit = exact_lit;" in draw["fragment"]
+
+
+@pytest.mark.parametrize(
+    ("kind", "clear", "expected"),
+    [
+        (float, 2.5, ("float", 1, [2.5, 2.5, 2.5, 2.5])),
+        (int, -1, ("int", 1, [-1, -1, -1, -1])),
+        (bool, 0, ("bool", 1, [0, 0, 0, 0])),
+        (vec3, (1, 2, 3), ("float", 3, [1, 2, 3, 1])),
+        (vec4, (1, 2, 3, 4), ("float", 4, [1, 2, 3, 4])),
+    ],
+)
+def test_a_background_has_four_channels(kind, clear, expected):
+    found = output("a", kind, clear)
+    assert (found["name"], found["kind"], found["channels"], found["background"]) == ("a", *expected)
+
+
+@pytest.mark.parametrize(("shape", "channels"), [((2, 5), 1), ((2, 5, 1), 1), ((2, 5, 3), 3), ((2, 5, 4), 4)])
+def test_a_texture_says_its_size(shape, channels):
+    found = texture(np.zeros(shape, np.float32), lambda data: data.shape)
+    assert found == {"kind": "float", "channels": channels, "width": 5, "height": 2, "data": shape}
+
+
+@pytest.mark.parametrize("overlap", ["last", "first"])
+def test_the_later_of_two_triangles_wins_in_a_layout_that_says_so(overlap):
+    scene = load_scene("lesson_seam", **{"irradiance_map.overlap": overlap})
+    wins = {each.name: pass_settings(each, scene)["laterWins"] for each in scene.method.passes}
+    assert wins == {name: name == "irradiance_map" and overlap == "last" for name in wins}
+    assert "irradiance_map" in wins and "camera" in wins
 
 
 def test_a_page_refuses_what_is_no_buffer(tmp_path):

@@ -43,6 +43,7 @@ def test_a_stage_gives_the_reference_from_its_inputs_and_that_is_right(oracle):
             store(again, *np.nonzero(exam.where), results[name])
             assert np.array_equal(again, oracle[name], equal_nan=True), name
             assert ((right.low <= right.middle) & (right.middle <= right.high))[exam.where].all()
+            assert np.array_equal(right.low[~exam.where], right.high[~exam.where], equal_nan=True)
             beside = right.state[~exam.where]
             assert np.isin(beside, [BACKGROUND if exam.alone.draw.stencil else NOT_COMPARED]).all()
 
@@ -52,7 +53,8 @@ def test_a_draw_shows_what_the_reference_does_within_its_bounds(oracle):
     for one in drawing_meshes(oracle):
         exam, drawn = exam_of_draw(oracle, one), reference_draw(oracle, one)
         triangle = drawn.written[TRIANGLE].reshape(-1)
-        assert np.array_equal(drawn.written[TRIANGLE] >= 0, drawn.where)
+        assert np.array_equal(drawn.written[TRIANGLE] != -1, drawn.where) and triangle.min() == -1
+        assert len(exam.first) == len(triangle) + 1 and exam.first[-1] == len(exam.triangle)
         for pixel in np.flatnonzero(triangle >= 0):
             of_pixel = slice(exam.first[pixel], exam.first[pixel + 1])
             same = np.flatnonzero(exam.triangle[of_pixel] == triangle[pixel]) + of_pixel.start

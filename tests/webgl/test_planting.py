@@ -79,6 +79,12 @@ def test_half_of_the_vertices_move_by_a_twentieth_of_what_all_reach_over(moved, 
     assert planting._moves([right, right], [right, wrong]) == elsewhere
 
 
+def test_by_exactly_a_twentieth_no_vertex_moves():
+    right = np.array([(0, 0), (0, 0), (0, 0), (1, 4)], float)
+    assert not planting._is_elsewhere(right, np.add(right, (0.05, 0.2)))
+    assert planting._is_elsewhere(right, np.add(right, (0.05, 0.2001)))
+
+
 def test_vertices_lie_where_w_brings_them():
     """What is shown follows, by its name; what is not shown is left out."""
     clip = vec4(F([2, 4]), F([6, 8]), F([1, 1]), F([2, 4]))

@@ -28,7 +28,8 @@ def chromium(monkeypatch):
     commands = []
 
     def stand_in(shown="", code=0, said=""):
-        def run(command, **_):
+        def run(command, capture_output, text, timeout):
+            assert capture_output and text and timeout == 600
             commands.append(command)
             return SimpleNamespace(returncode=code, stdout=shown, stderr=said)
 
