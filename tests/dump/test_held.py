@@ -12,16 +12,22 @@ LARGEST = {"unorm8": 255, "rgb10a2": 1023, "unorm16": 65535, "snorm8": 127, "sno
 
 def held(storage, *pixels):
     """Of each pixel, a number or its channels, which are held."""
-    return are_held(np.array(pixels, np.float32).reshape(len(pixels), 1, -1), storage)[:, 0].tolist()
+    return at_all(storage, np.array(pixels)).tolist()
+
+
+def at_all(storage, pixels):
+    """The same of an array of pixels (N,) or (N, C)."""
+    return are_held(pixels.astype(np.float32).reshape(len(pixels), 1, -1), storage)[:, 0]
 
 
 @pytest.mark.parametrize(("storage", "largest"), LARGEST.items())
 def test_codes_are_held_and_nothing_between_or_beyond(storage, largest):
     codes = np.arange(largest + 1) / largest
-    assert np.all(held(storage, *codes))
-    assert not np.any(held(storage, *(codes[:-1] + 0.5 / largest)))
+    assert at_all(storage, codes).all()
+    assert not at_all(storage, codes[:-1] + 0.5 / largest).any()
     assert held(storage, 1 + 1 / largest, -1 - 1 / largest, np.inf, np.nan) == [[False]] * 4
-    assert np.all(held(storage, *-codes[1:])) == np.any(held(storage, *-codes[1:])) == storage.startswith("snorm")
+    below = at_all(storage, -codes[1:])
+    assert below.all() == below.any() == storage.startswith("snorm")
 
 
 def test_two_ways_to_round_a_code_lie_within_a_four_millionth():

@@ -242,6 +242,22 @@ def test_rows_may_be_further_apart(tmp_path):
     assert f"a pitch of {2**32 - 1}" in refusal(tmp_path, dds(41, padded, pitch=2**32 - 1))
 
 
+def test_what_no_flag_says_is_there_is_passed_over(tmp_path):
+    """A linear size where a pitch would stand, a depth of 7, all other second capabilities and flags of a texture."""
+    data, values = random_texels("f")
+    for masks, following in ((None, extension(41, misc=0xFFFFFFFB) + data), ((0,) * 5, data)):
+        first = bytearray(header(WIDTH, HEIGHT, fourcc=b"DX10" if masks is None else struct.pack("<I", 114)))
+        struct.pack_into("<I", first, 8, 0x7F7FFFF7)  # of the header: all but pitch and depth
+        struct.pack_into("<2I", first, 20, 4 * WIDTH * HEIGHT, 7)
+        struct.pack_into("<I", first, 112, 0xFFDFFDFF)  # all but a cube map and a volume
+        assert_holds(read(tmp_path, bytes(first) + following), values)
+
+
+def test_a_depth_of_1_is_none(tmp_path):
+    data, values = random_texels("f")
+    assert_holds(read(tmp_path, dds(41, data, depth=1)), values)
+
+
 def test_smaller_mips_after_the_first_are_passed_over(tmp_path):
     data, values = random_texels("f")
     assert_holds(read(tmp_path, dds(41, data + bytes(4 * 3))), values)

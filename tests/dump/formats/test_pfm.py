@@ -32,6 +32,19 @@ def test_colour_in_both_byte_orders(tmp_path, header, order):
     assert ".pfm" in BOTTOM_FIRST
 
 
+@pytest.mark.parametrize("scale", [1e-3, 0.5, 2.0, 1e3])
+def test_any_scale_above_0_is_big_endian_and_any_below_little(tmp_path, scale):
+    for sign, order in ((1, ">f4"), (-1, "<f4")):
+        texels = read(tmp_path, b"PF\n3 2\n%g\n" % (sign * scale) + VALUES.astype(order).tobytes())
+        assert np.array_equal(texels.data, (VALUES.astype(np.float64) * np.float32(scale)).astype(np.float32))
+
+
+def test_a_long_header_is_read(tmp_path):
+    header = b"PF\n" + b" " * 239 + b"3 2\n-1.00"
+    texels = read(tmp_path, header + b"0\n" + VALUES.astype("<f4").tobytes())
+    assert len(header) + 2 < 256 and np.array_equal(texels.data, VALUES)
+
+
 def test_grey(tmp_path):
     texels = read(tmp_path, b"Pf\n3 2\n-1\n" + VALUES[..., 0].astype("<f4").tobytes())
     assert np.array_equal(texels.data[..., 0], VALUES[..., 0]) and texels.channels == ("R",)
