@@ -39,9 +39,11 @@ def test_without_opengl_the_packages_are_named(monkeypatch):
     ],
 )
 def test_an_older_opengl_is_named(monkeypatch, driver, remedy):
-    released = []
+    released, asked = [], []
 
-    def create(require, **_):
+    def create(require, standalone, **more):
+        asked.append(require)
+        assert standalone and more == ({"backend": "egl"} if sys.platform == "linux" else {})
         if require > 330:
             raise RuntimeError
         return SimpleNamespace(info=OLD, release=lambda: released.append(require))
@@ -53,7 +55,7 @@ def test_an_older_opengl_is_named(monkeypatch, driver, remedy):
     with pytest.raises(ShaderError) as error:
         open_context()
     assert str(error.value) == f"gl: expected OpenGL 4.0, got an old one, OpenGL 3.3 (Core Profile); {remedy}"
-    assert released == [330]
+    assert asked == [400, 330] and released == [330]
 
 
 @needs_mesa
