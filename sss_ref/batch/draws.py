@@ -29,6 +29,11 @@ NumberOrThree = Annotated[
     ),
 ]
 
+SceneValue = Annotated[
+    Any, requiring(lambda value: _all_finite(value), "finite numbers", "nan and inf are not accepted")
+]
+"""What a key of a scene may be given, as far as that can be told without the scene."""
+
 Chances = Iterator[float]
 """Independent numbers, uniform from 0 to 1, without 1: multiples of 2^-53."""
 
@@ -122,7 +127,7 @@ class Choice(Table):
     """One of some values, each as likely as any other."""
 
     random: Literal["choice"]
-    values: Annotated[list[Any], requiring(len, "at least one value")]
+    values: Annotated[list[SceneValue], requiring(len, "at least one value")]
     """What is chosen from."""
 
     def drawn(self, numbers: Chances) -> Any:
@@ -152,7 +157,7 @@ class OnSphere(Table):
 
 
 Random = Uniform | LogUniform | Whole | Choice | OnSphere
-Listed = Annotated[list[Any], requiring(lambda values: 1 <= len(values) <= MOST, f"1 to {MOST} values")]
+Listed = Annotated[list[SceneValue], requiring(lambda values: 1 <= len(values) <= MOST, f"1 to {MOST} values")]
 
 
 def form_of(value: Any) -> str:
@@ -176,6 +181,14 @@ Values = Annotated[
 
 def _is_number(value: Any) -> bool:
     return type(value) in (int, float) and abs(value) < FLOAT32_OVERFLOW
+
+
+def _all_finite(value: Any) -> bool:
+    """Whether a value has nothing infinite in it, and no NaN."""
+    if isinstance(value, float):
+        return math.isfinite(value)
+    parts = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    return all(map(_all_finite, parts))
 
 
 def _same_form(high: Any, info: ValidationInfo) -> Any:

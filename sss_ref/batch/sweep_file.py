@@ -59,7 +59,7 @@ class Sweep(Table):
     """Names of the buffers that are kept and hashed, or "final", the image, or "all"."""
     cameras: bool = False
     """Whether transforms.json is written: the cameras in the form that nerfstudio reads."""
-    set: dict[str, Any] = Field(default_factory=dict)
+    set: dict[str, draws.SceneValue] = Field(default_factory=dict)
     """One value for all items."""
     vary: dict[str, draws.Values] = Field(default_factory=dict)
     """Of each key an array of values; or {first, last, count}, evenly spaced; or {random = "uniform", low, high},
@@ -150,7 +150,7 @@ def _is_values(table: Mapping[str, Any]) -> bool:
 def _problems(error: ValidationError) -> Iterator[str]:
     for details in error.errors():
         place, known = details["loc"], Sweep.model_fields
-        if len(place) > 3 and place[0] == "vary":  # pydantic inserts the name of the form
+        if len(place) > 3 and place[0] == "vary" and place[2] in TABLES:  # pydantic inserts the name of the form
             known = TABLES[str(place[2])].model_fields
         elif place[0] in ("vary", "olat"):
             known = LightStage.model_fields if place[0] == "olat" else {}

@@ -1,3 +1,5 @@
+from math import inf, nan
+
 import pytest
 
 from sss_ref.batch.sweep_file import checked_sweep, read_sweep
@@ -65,6 +67,11 @@ def test_a_shipped_scene_stays_a_name(tmp_path):
         ({"olat": {"count": 2}, "vary": {"lights": {"0": {"intensity": [1]}}}}, "no lights.0.intensity beside olat"),
         ({"olat": {"count": 2}, "set": {"lights": {"0": {"near": 1}}}}, "expected no lights.0 beside olat, got both"),
         ({"vary": {"a": [1]}, "set": 3}, "sweep: set: expected a table"),
+        ({"vary": {"a": [1]}, "set": {"camera": {"width": inf}}}, 'set.camera: expected finite numbers, got {"width"'),
+        ({"vary": {"a": [1]}, "set": {"lights.0": {"color": [1, nan, 0]}}}, "sweep: set.lights.0: expected finite"),
+        ({"vary": {"a": [1, nan]}}, "sweep: vary.a[1]: expected finite numbers, got NaN; nan and inf are not accepted"),
+        ({"vary": {"a": [[0, -inf]]}}, "sweep: vary.a[0]: expected finite numbers"),
+        ({"vary": {"a": {"random": "choice", "values": [inf]}}}, "vary.a.values[0]: expected finite numbers, got Inf"),
     ],
 )  # fmt: skip
 def test_what_is_wrong_is_told_by_key(data, message):
