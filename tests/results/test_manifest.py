@@ -1,4 +1,5 @@
 import json
+import re
 from importlib.metadata import version
 
 import pytest
@@ -66,6 +67,7 @@ def test_no_manifest(tmp_path):
         (lambda text: text.replace('"rules_version": 2', '"rules_version": "2"'), "rules_version"),
         (lambda text: text.replace('"format_version": 1', '"format_version": 9'), "format_version"),
         (lambda text: text.replace('"sha256": "', '"sha256": "x', 1), "buffers.0.sha256"),
+        (lambda text: re.sub(r'"blur": [0-9.]+', '"blur": 1e999', text), "milliseconds.blur"),
     ],
 )
 def test_damaged(saved, damage, told):
