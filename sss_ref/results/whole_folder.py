@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import IO
 
 from sss_ref.errors import DumpError
+from sss_ref.errors.wording import told
 from sss_ref.results.exchange import exchanged
 
 HIDDEN = ".part"  # how the names of folders end that are being written
@@ -27,7 +28,18 @@ def writable(folder: Path, is_ours: Callable[[Path], bool], ours: str) -> Path:
 
     is_ours: whether a folder with files in it may be replaced; ours: what such a folder is called.
     """
-    folder = folder.resolve()
+    try:
+        folder = folder.resolve()
+        str(folder).encode()  # OpenEXR takes no other name, nor does JSON
+        return _checked(folder, is_ours, ours)
+    except OSError as error:
+        raise DumpError(f"{folder}: cannot be written ({error.strerror}); choose another folder") from None
+    except UnicodeEncodeError:
+        raise DumpError(told(str(folder), "a name in UTF-8", "another", "choose another folder")) from None
+
+
+def _checked(folder: Path, is_ours: Callable[[Path], bool], ours: str) -> Path:
+    """The same absolute path if it can be written. Raises DumpError, and OSError where it cannot be looked at."""
     if folder.exists() and not (folder.is_dir() and (not any(folder.iterdir()) or is_ours(folder))):
         raise DumpError(f"{folder}: expected a new folder, an empty one or {ours}, got other files; move them")
     parent = next(parent for parent in folder.parents if parent.exists())
@@ -58,7 +70,7 @@ def appearing(folder: Path, place: Path | None = None) -> Iterator[Path]:
             finally:
                 shutil.rmtree(hidden, ignore_errors=True)
     except (OSError, RuntimeError) as error:  # OpenEXR raises the latter
-        reason = getattr(error, "strerror", None) or error
+        reason = getattr(error, "strerror", None) or "not all of it was taken"
         raise DumpError(f"{folder}: cannot be written ({reason}); choose another folder") from error
 
 

@@ -10,9 +10,10 @@ from pathlib import Path
 
 import pytest
 
+from sss_ref.errors import DumpError
 from sss_ref.results import whole_folder
 from sss_ref.results.exchange import exchanged
-from sss_ref.results.whole_folder import appearing
+from sss_ref.results.whole_folder import appearing, writable
 
 FILES = 20
 
@@ -82,7 +83,7 @@ def test_what_a_killed_writer_left_goes_with_the_next(tmp_path):
 
 WRITER = """
 import pathlib, sys
-from sss_ref.results.whole_folder import appearing
+from sss_ref.results.whole_folder import appearing, writable
 number = 0
 print("ready", flush=True)
 while True:
@@ -121,3 +122,25 @@ def test_an_earlier_result_set_aside_by_a_killed_writer_comes_back(tmp_path):
 def test_a_name_with_signs_of_patterns_is_a_name(tmp_path):
     write(tmp_path / "out[1]*", "x")
     assert contents(Path(tmp_path / "out[1]*")) == {"x"}
+
+
+@pytest.mark.parametrize(
+    ("name", "told"),
+    [
+        ("a" * 300, r"/a+: cannot be written \(File name too long\); choose another folder"),
+        (os.fsdecode(b"out\xff"), r"/out\\udcff: expected a name in UTF-8, got another; choose another folder"),
+    ],
+)
+def test_a_name_that_no_result_can_have_is_refused_before_the_work(name, told, tmp_path):
+    """OpenEXR would refuse the second at the end, and a manifest cannot hold it."""
+    with pytest.raises(DumpError, match=told) as refused:
+        writable(tmp_path / name, lambda folder: True, "an earlier result")
+    assert str(refused.value).isprintable()
+
+
+def test_what_a_library_says_of_a_file_that_is_cut_off_is_not_passed_on(tmp_path):
+    """NumPy tells what it asked of the system, without an error of the system."""
+    told = r"/out: cannot be written \(not all of it was taken\); choose another folder"
+    with pytest.raises(DumpError, match=told), appearing(tmp_path / "out"):
+        raise OSError("4096 requested and 218 written")
+    assert list(tmp_path.iterdir()) == []
