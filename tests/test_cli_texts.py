@@ -1,9 +1,13 @@
 """What the command line prints of what it is given, by its parts: nothing is rendered."""
 
+import os
+import subprocess
+import sys
 from types import SimpleNamespace
 
 import pytest
 
+from sss_ref import cli
 from sss_ref.cli import batch_commands, console, explaining, verdicts
 from sss_ref.errors import SceneError
 from sss_ref.explanation.rows import Row
@@ -13,6 +17,71 @@ def test_widths_and_codes():
     assert (console.out.width, console.DIFFERS, console.BAD_INPUT) == (160, 1, 2)
     assert not console.out.stderr and console.err.stderr
     assert batch_commands.SOME_FAILED == 1
+
+
+@pytest.mark.parametrize(
+    ("raised", "told"),
+    [
+        (MemoryError("of NumPy"), "memory: expected enough for what was asked, got no more; ask for a smaller size or"),
+        (OSError(28, "No space left"), "sss-ref: expected a system that goes on, got No space left; see to that"),
+        (OSError(24, "Too many files", "a.npy"), "a.npy: expected a system that goes on, got Too many files; see to"),
+        (
+            ImportError("of Python", name="PIL"),
+            "PIL: expected a library that loads, got a refusal; install it again or",
+        ),
+        (OSError("of a library"), "sss-ref: expected a system that goes on, got a refusal; see to that"),
+        (SceneError("of [ours]"), "of [ours]"),
+    ],
+)
+def test_what_stops_a_command_is_one_line(raised, told, monkeypatch, capsys):
+    def app(*tokens, **options):
+        raise raised
+
+    monkeypatch.setattr(cli, "app", app)
+    assert cli.main([]) == 2
+    assert capsys.readouterr().err.startswith(f"error: {told}")
+
+
+PRINTED = "import sys; from sss_ref.cli.own_process import run; sys.argv[1:] = {words}; run()"
+NO_COMMAND = ["nowhere"]
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="needs a disk that is always full: /dev/full of Linux")
+@pytest.mark.parametrize(
+    ("words", "stream", "told"),
+    [(["scenes"], "stdout", "got No space left"), (["scenes", "--help"], "stdout", ""), (NO_COMMAND, "stderr", "")],
+)
+def test_where_nothing_can_be_printed_a_command_is_no_verdict(words, stream, told):
+    """Python itself would end with 1, which is a difference."""
+    with open("/dev/full", "w") as full:
+        streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE} | {stream: full}
+        command = [sys.executable, "-c", PRINTED.format(words=words)]
+        done = subprocess.run(command, **streams, text=True, check=False)
+    assert done.returncode == 2
+    if stream == "stdout":
+        assert done.stderr.count("\n") == 1 and told in done.stderr
+
+
+@pytest.mark.parametrize("words", [["scenes"], ["scenes", "--help"]])
+def test_where_nobody_reads_on_a_command_is_no_verdict(words):
+    begin, end = os.pipe()
+    os.close(begin)
+    command = [sys.executable, "-c", PRINTED.format(words=words)]
+    done = subprocess.run(command, stdout=end, stderr=subprocess.PIPE, text=True, check=False)
+    os.close(end)
+    assert (done.returncode, done.stderr) == (console.READER_GONE, "")
+
+
+def test_a_name_that_the_terminal_cannot_show_is_spelt_out(tmp_path):
+    command = [
+        sys.executable,
+        "-c",
+        PRINTED.format(words=["batch", str(tmp_path / "s.toml"), "-o", str(tmp_path / "\xe9")]),
+    ]
+    (tmp_path / "s.toml").write_text('outputs = ["png"]\nvary.camera.width = [0]')
+    environment = os.environ | {"PYTHONIOENCODING": "ascii:strict"}
+    done = subprocess.run(command, capture_output=True, env=environment, text=True, check=False)
+    assert done.returncode == 1 and rf"/\xe9{os.sep}items.csv" in done.stdout
 
 
 def test_a_row_of_an_explanation_stands_in_columns():

@@ -7,7 +7,8 @@ from sss_ref.cli import app
 HEAD = """# Command line
 
 Results go to standard output, everything else to standard error. The exit code is 0; 1 where `verify`, `diff` or
-`validate` finds a difference, or `import` a picture that may be two buffers; 2 for bad input.
+`validate` finds a difference, or `import` a picture that may be two buffers; 2 for bad input, and where memory or
+place ran out; 130 where the run was stopped, 141 where nobody reads its output to the end.
 """
 
 

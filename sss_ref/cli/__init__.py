@@ -1,12 +1,11 @@
 """The command line: `sss-ref render`, `verify`, `diff`, `explain` and so on. Nothing is computed here."""
 
 from cyclopts import App, CycloptsError
-from rich.markup import escape
 
 from sss_ref.cli.batch_commands import batch, turntable
 from sss_ref.cli.blame_command import blame
 from sss_ref.cli.comparing import diff, verify
-from sss_ref.cli.console import BAD_INPUT, err
+from sss_ref.cli.console import BAD_INPUT, Stream, complain, err
 from sss_ref.cli.course_commands import course, grade
 from sss_ref.cli.explaining import explain
 from sss_ref.cli.fit_command import fit
@@ -68,12 +67,21 @@ def main(tokens: list[str] | None = None) -> int:
     """Run the command line; returns the exit code.
 
     0, or 1 where `verify`, `diff`, `validate`, `witness`, `neutral` or `blame` finds a difference,
-    `import` asks for something or an item of `batch` failed, or 2 for bad input, and where nothing was judged.
+    `import` asks for something or an item of `batch` failed, or 2 for bad input, where nothing was judged, and where
+    the system has no more memory or place. Raises SystemExit where nobody reads on (141) or the run is stopped (130).
     """
     try:
-        return app(tokens, exit_on_error=False, error_console=err) or 0
+        return app(tokens, exit_on_error=False, console=Stream(), error_console=err) or 0
     except SssRefError as error:
-        err.print(f"[red]error:[/] {escape(str(error))}")
-        return BAD_INPUT
+        return complain(str(error))
     except CycloptsError:
         return BAD_INPUT  # cyclopts has printed it
+    except MemoryError:
+        return complain(
+            "memory: expected enough for what was asked, got no more; ask for a smaller size or less at once"
+        )
+    except ImportError as error:
+        return complain(f"{error.name}: expected a library that loads, got a refusal; install it again or free memory")
+    except OSError as error:  # whatever no room has foreseen: a full disk below standard output, a limit of the system
+        where, came = error.filename or "sss-ref", error.strerror or "a refusal"
+        return complain(f"{where}: expected a system that goes on, got {came}; see to that and run it again")

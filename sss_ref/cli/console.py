@@ -1,19 +1,39 @@
 """Where the command line speaks: results to standard output, everything else to standard error."""
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from threading import Timer
 
 from rich.console import Console
+from rich.markup import escape
 
 from sss_ref.cli.options import Execution
 
 DIFFERS, BAD_INPUT = 1, 2  # exit codes other than 0
+READER_GONE = 141  # what a shell says of a program that ends because nobody reads on: no verdict
 TABLE_WIDTH = 160  # characters, at most; columns are never squeezed to what a terminal shows in one line
 PATIENCE = 1.0  # seconds of work before its progress is shown
 
-out = Console(width=TABLE_WIDTH, highlight=False, soft_wrap=True)
-err = Console(stderr=True, highlight=False, soft_wrap=True)
+
+class Stream(Console):
+    """A console that ends the command, without a word, where nobody reads on."""
+
+    def on_broken_pipe(self) -> None:
+        """Raise SystemExit, not with the 1 of the base class, which would be a difference."""
+        with suppress(SystemExit):
+            super().on_broken_pipe()
+        raise SystemExit(READER_GONE)
+
+
+out = Stream(width=TABLE_WIDTH, highlight=False, soft_wrap=True)
+err = Stream(stderr=True, highlight=False, soft_wrap=True)
+
+
+def complain(problem: str) -> int:
+    """Say what keeps a command from going on, as far as somebody listens; its exit code."""
+    with suppress(OSError):
+        err.print(f"[red]error:[/] {escape(problem)}")
+    return BAD_INPUT
 
 
 def announce_compilation(execution: Execution) -> None:

@@ -3,6 +3,7 @@
 import gc
 import os
 import sys
+from io import TextIOWrapper
 from typing import NoReturn
 
 NEW_OBJECTS = 300_000  # after which rubbish is looked for: a rendering is over before; Python's 700 are soon there
@@ -16,6 +17,8 @@ def run() -> NoReturn:
     from sss_ref.cli import main
 
     leave_out()
+    if isinstance(sys.stdout, TextIOWrapper):  # None where it was closed
+        sys.stdout.reconfigure(errors="backslashreplace")  # as standard error: a name may be no text of the locale
     try:
         sys.exit(main())
     finally:
