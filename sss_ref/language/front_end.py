@@ -178,7 +178,7 @@ class _Reader:
         return tree.Member(result or next(k for k in MEMBERS if k.count == len(node.attr)), vector, node.attr)
 
     def negative(self, node: ast.expr, operand: tree.Expression) -> tree.Expression:
-        if operand.type is bool or operand.type not in (float, int, *MEMBERS):
+        if operand.type not in (float, int, *MEMBERS):
             self.fail(node, f"no minus for {type_name(operand.type)}")
         if isinstance(operand, tree.Literal):
             return tree.Literal(operand.type, -operand.value)

@@ -5,7 +5,7 @@ fragment, later an interval. All arithmetic is component by component, in the or
 """
 
 from collections.abc import Iterator
-from typing import Any, Generic, Self, TypeVar
+from typing import Any, ClassVar, Generic, Self, TypeVar
 
 import numpy as np
 
@@ -22,7 +22,7 @@ class Vector:
 
     __slots__ = ("w", "x", "y", "z")
     __array_ufunc__ = None  # so that ndarray * vec3 asks vec3, not NumPy
-    count = 0
+    count: ClassVar[int]
 
     def __init__(self, *parts: Any) -> None:
         components = [component for part in parts for component in (part if isinstance(part, Vector) else (part,))]

@@ -7,7 +7,22 @@ import numpy as np
 import pytest
 
 from sss_ref.errors import StageError
-from sss_ref.language import Texture, dot, function, ivec2, mat4, max, select, stage, texel, tree, vec2, vec3, vec4
+from sss_ref.language import (
+    Array,
+    Texture,
+    dot,
+    function,
+    ivec2,
+    mat4,
+    max,
+    select,
+    stage,
+    texel,
+    tree,
+    vec2,
+    vec3,
+    vec4,
+)
 
 
 class Value(NamedTuple):
@@ -172,7 +187,128 @@ def texture_by_float(t: Texture[float], at: vec2) -> Value:
     return Value(texel(t, at))  # here
 
 
+def two_targets(x: float) -> Value:
+    y = z = x  # here
+    return Value(y + z)
+
+
+def a_member_assigned(x: vec2) -> Value:
+    x.y = x.x  # here
+    return Value(x.y)
+
+
+def loop_up_to(x: float, n: int) -> Value:
+    total = x
+    for _i in range(n):  # here
+        total = total + x
+    return Value(total)
+
+
+def loop_in_steps(x: float, n: int) -> Value:
+    total = x
+    for _i in range(0, n, 2):  # here
+        total = total + x
+    return Value(total)
+
+
+def loop_of_two(x: float, n: int) -> Value:
+    total = x
+    for _i in zip(n, n):  # here  # noqa: B905
+        total = total + x
+    return Value(total)
+
+
+def loop_with_an_end(x: float, n: int) -> Value:
+    total = x
+    for _i in range(0, n):  # here
+        total = total + x
+    else:
+        total = total + 1.0
+    return Value(total)
+
+
+def loop_of_pairs(x: float, n: int) -> Value:
+    total = x
+    for _i, _j in range(0, n):  # here
+        total = total + x
+    return Value(total)
+
+
+def loop_to_a_float(x: float) -> Value:
+    total = x
+    for _i in range(0, x):  # here
+        total = total + x
+    return Value(total)
+
+
+def sum_of_another_type(x: float, n: int, v: vec3) -> Value:
+    total = x
+    for _i in range(0, n):
+        total = total * v  # here
+    return Value(total)
+
+
+def not_returned_as_fields(x: float) -> Value:
+    return x  # here
+
+
+def a_field_too_many(x: float) -> Value:
+    return Value(x, x)  # here
+
+
+def minus_a_truth_value(x: float) -> Value:
+    return Value(select(-(x > 0.0), x, 0.0))  # here
+
+
+def minus_a_matrix(m: mat4, x: vec4) -> Value:
+    y = -m * x  # here
+    return Value(y.x)
+
+
+def a_word(x: float) -> Value:
+    return Value(x + "half")  # here
+
+
+def element_of_a_constant(x: float) -> Value:
+    return Value(x * HALF_EXACT[0])  # here
+
+
+def element_at_a_float(x: Array[float], at: float) -> Value:
+    return Value(x[at])  # here
+
+
+def power_by_an_operator(x: float) -> Value:
+    return Value(x**x)  # here
+
+
+def a_chain(x: float) -> Value:
+    return Value(select(0.0 < x < 1.0, x, 0.0))  # here
+
+
+def a_keyword(x: float) -> Value:
+    return Value(dot(a=x, b=x))  # here
+
+
 REJECTED = {
+    two_targets: "only `name = expression`, the loop and the final return are statements",
+    a_member_assigned: "only `name = expression`, the loop and the final return are statements",
+    loop_up_to: r"the only loop is `for i in range\(start, stop\)`",
+    loop_in_steps: r"the only loop is `for i in range\(start, stop\)`",
+    loop_of_two: r"the only loop is `for i in range\(start, stop\)`",
+    loop_with_an_end: r"the only loop is `for i in range\(start, stop\)`",
+    loop_of_pairs: r"the only loop is `for i in range\(start, stop\)`",
+    loop_to_a_float: "expected int, got float",
+    sum_of_another_type: "`total` is float, not vec3",
+    not_returned_as_fields: "return the output type with its 1 fields in order",
+    a_field_too_many: "return the output type with its 1 fields in order",
+    minus_a_truth_value: "no minus for bool",
+    minus_a_matrix: "no minus for mat4",
+    a_word: "literal 'half' is neither a number nor a truth value",
+    element_of_a_constant: "`HALF_EXACT` is float: only a uniform Array has elements",
+    element_at_a_float: "expected int, got float",
+    power_by_an_operator: r"operator of `x \*\* x` is not in the language",
+    a_chain: "`0.0 < x < 1.0` is not in the language",
+    a_keyword: r"`dot\(a=x, b=x\)` is not in the language",
     inexact_literal: "literal 0.1 is not exact in float32",
     branch: r"no branches: compute both sides and choose with select",
     ternary: r"no branches: choose with select",

@@ -43,6 +43,16 @@ def test_phong_shading_beside_the_highlight():
     assert call(phong_shading, **{**SCENE, "camera_position": (3, 0, 0)}) == ((0.5, 0.875, 3.25),)
 
 
+def test_phong_shading_has_no_highlight_at_a_right_angle_even_where_a_power_is_1():
+    # Shininess 0: s = 1 wherever there is a highlight. Light along the surface, seen from where its mirror image is.
+    inputs = {**SCENE, "shininess": 0}
+    assert call(phong_shading, **{**inputs, "light_position": (2, 0, 0), "camera_position": (-3, 0, 0)}) == (
+        (0.125, 0.125, 0.25),
+    )
+    assert call(phong_shading, **{**inputs, "camera_position": (3, 0, 0)}) == ((0.5, 0.875, 3.25),)
+    assert call(phong_shading, **inputs) == ((0.625, 1.125, 4.25),)
+
+
 def test_phong_shading_of_an_oblique_highlight():
     # V = (0, 4/5, 3/5), V.R = 3/5, shininess 2: s = .36; white light of intensity 1: .25 + .75 + .25*.36 = 1.09.
     inputs = {**SCENE, "camera_position": (0, 4, 3), "incident_light": (1, 1, 1), "albedo": (1, 1, 1), "shininess": 2}

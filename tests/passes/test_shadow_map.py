@@ -174,6 +174,12 @@ def test_directly_lit_slope(normal, behind, lit):
     assert lit_slope(normal, 4 - behind) == (lit,)
 
 
+def test_directly_lit_slope_close_to_the_light():
+    # w = 1/2: a texel covers 1/16, and the bias is 1.5/16 = .09375.
+    assert lit_slope((0, 0, 1), 0.5 - 0.09375, (0, 0, -0.5)) == (True,)
+    assert lit_slope((0, 0, 1), 0.5 - 0.09376, (0, 0, -0.5)) == (False,)
+
+
 def test_directly_lit_slope_from_a_light_elsewhere():
     # The light is at z = 1, so w = 1 - z: 4 as above, and the bias .75.
     above = {"light": (0, 0, 1), "clip_from_world": [*CLIP_FROM_WORLD[:3], [0, 0, -1, 1]]}
@@ -189,6 +195,7 @@ def test_directly_lit_slope_adds_the_constant_bias():
 def test_directly_lit_slope_behind_the_light():
     """The light shines outside its cone too: no map there, so stored = D, and the fragment faces the light."""
     assert lit_slope((0, 0, -1), 4, position=(0, 0, 4)) == (True,)
+    assert lit_slope((0, 0, -1), np.nextafter(np.float32(4), np.float32(0)), position=(0, 0, 4)) == (False,)  # no bias
 
 
 def test_directly_lit_literal():

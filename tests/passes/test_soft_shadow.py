@@ -49,6 +49,17 @@ def test_where_the_map_knows_nothing_light_is_seen_and_none_from_behind():
     assert visible((4, 4.1), light_position=(0, 0, -4)) == ((0, 0, 0),)
 
 
+def test_weights_below_0_leave_a_share_between_0_and_1():
+    """Of red .5 in all, of green -1: of one tap alone 2 and -1 of it, of the other -1 and 2. Blue has none."""
+    below_0 = {"tap_weight": np.float32([(1, 1, 0), (-0.5, -2, 0)])}
+    assert visible((4, 3), **below_0) == ((1, 0, 1),)
+    assert visible((3, 4.1), **below_0) == ((0, 1, 1),)
+
+
+def test_light_along_the_surface_is_not_seen():
+    assert visible((9, 9), normal_world=(1, 0, 0)) == ((0, 0, 0),)
+
+
 def test_each_tap_has_a_bias_of_its_own():
     # Where light falls straight on it: at the point .5*1, at the neighbour .5*(1 + .125), of sqrt(16.25) = 4.031129.
     slope = {"bias_abs": 0, "bias_slope": 1}
