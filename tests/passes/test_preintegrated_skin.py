@@ -34,6 +34,15 @@ def test_directly_lit_round():
             assert call(directly_lit_round, **SHADOW, normal_world=normal, stored_distance=stored) == (True,)
 
 
+def test_directly_lit_round_close_to_the_light():
+    # At w = 1/2 a texel is half as wide: .25 + .0625. Behind the light, w < 0, it has no width.
+    for w, allowed in ((0.5, 0.3125), (-1, 0.25)):
+        clip_from_world = np.diag(np.float32([1, 1, 1, w]))
+        for behind, lit in ((allowed, True), (allowed + 2**-10, False)):
+            inputs = {**SHADOW, "light_clip_from_world": clip_from_world, "stored_distance": 2 - behind}
+            assert call(directly_lit_round, **inputs, normal_world=(0, 0, 1)) == (lit,)
+
+
 TABLE = np.float32([[[0, 0, 0], [0, 0, 0], [1, 1, 1]], [[0, 0, 0], [0.5, 0.25, 0], [1, 0.5, 0.5]]])
 SHADED = {
     "position_world": (0, 0, 0),
