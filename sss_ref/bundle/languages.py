@@ -65,6 +65,10 @@ WIDER = """
   No API must draw into three channels: a vec3 lies in a texture of four, of which the last counts for nothing.
 """
 PRECISE = "The sums are `precise`: no compiler may fuse or reorder them."
+FOUR = """
+  A draw has at most 4 targets, as many as every Vulkan device has (`maxColorAttachments`; Vulkan 1.4 promises 8).
+  Each draw of a pass computes all that its own targets need, and begins with a depth buffer cleared to 1.
+"""
 IMPRECISE = """
   {title} has no `precise`: a compiler may fuse and reorder. Judge with a profile that says `contraction =
   "free"`.
@@ -107,7 +111,7 @@ LANGUAGES = {
             ),
             (
                 UPSIDE_DOWN.format(api="Vulkan"),
-                WIDER,
+                WIDER + FOUR,
                 FETCHED.format(call="texelFetch, as a combined image sampler"),
                 PLACES.format(where="the set (`group`), and in it the binding of each", arrays=ARRAYS),
                 COLUMNS.format(or_let=""),

@@ -61,6 +61,7 @@ VULKAN = replace(
         "gl_Position.z = (gl_Position.z + gl_Position.w) * 0.5;",
     ),
     head=("#version 450",),
+    most_outputs=4,  # maxColorAttachments, specification of Vulkan 1.0 to 1.3, Required Limits; in 1.4 it is 8
     groups=(0, 1),
     vertex=vertex,
     fragment=fragment,
