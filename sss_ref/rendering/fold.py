@@ -87,7 +87,9 @@ def folded(
             on_pass(this_pass.name)
         start, needed = time.perf_counter(), kept | read_later
         sketch = draw(scene, this_pass, buffers, machine, foresight.mesh(this_pass))
-        buffers = buffers | sketch.written | shaded(scene, this_pass, sketch, buffers, needed, machine)
+        read, buffers = buffers, {name: buffer for name, buffer in buffers.items() if name in needed}
+        buffers |= sketch.written | last_round(scene, this_pass, sketch, read, needed, machine)
+        del read
         if on_buffer:
             for name in sorted(kept & set(this_pass.values)):
                 on_buffer(name, buffers[name])
@@ -110,15 +112,25 @@ def shaded(
 
     A pass that is fed back its own outputs gives those alone, round after round.
     """
+    return last_round(scene, this_pass, sketch, {**buffers}, wanted, machine)
+
+
+def last_round(
+    scene: Scene, this_pass: Pass, sketch: Sketch, read: dict[str, np.ndarray], wanted: set[str], machine: Machine
+) -> dict[str, np.ndarray]:
+    """The same, but what only the first round reads is taken out of `read` after it, so that its memory is free."""
     names = [name for name in this_pass.values if name in wanted and name not in sketch.written]
     if not names:
         return {}
     every_round = [*this_pass.fed_back] or names
 
-    def one_round(read: Buffers) -> Buffers:
-        return shade(scene, this_pass, sketch.fragments, read, every_round, machine)
+    def one_round(now: Buffers) -> Buffers:
+        written = shade(scene, this_pass, sketch.fragments, now, every_round, machine)
+        for name in this_pass.feedback:
+            read.pop(name, None)
+        return written
 
-    return dict(this_pass.folded(buffers, one_round))
+    return dict(this_pass.folded(read, one_round))
 
 
 @contextmanager

@@ -62,10 +62,11 @@ def bytes_at_once(method: Method, kept: set[str]) -> Iterator[Counter[str]]:
 def beside_outputs(this_pass: Pass, needed: set[str]) -> int:
     """Bytes for each pixel of what a pass writes and does not hand on.
 
-    needed: what it hands on.
+    needed: what it hands on. Of rounds the second has no more than the first, unless what the first one reads stays.
     """
     if this_pass.rounds > 1:
-        return sum(CHANNELS[kind] * dtype_of(kind).itemsize for kind in this_pass.fed_back.values())
+        stays = [this_pass.fed_back[own] for name, own in this_pass.feedback.items() if name in needed]
+        return sum(CHANNELS[kind] * dtype_of(kind).itemsize for kind in stays)
     if not this_pass.draw.vertex_stages:
         return 0
     return PIECE_BYTES + (0 if this_pass.draw.depth in needed else DEPTH_BYTES)

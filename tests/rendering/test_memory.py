@@ -29,7 +29,7 @@ FINAL = {
     "texture_space": [
         {"shadow_map": 8 + 4 + 4 + 8},  # light_triangle, light_distance, light_uv
         {"shadow_map": 16, "irradiance_map": 8 + 1 + 12},  # irradiance_mask, irradiance
-        {"shadow_map": 16, "irradiance_map": 13 + 2 * 13},  # irradiance_filled and its mask, of two rounds
+        {"shadow_map": 16, "irradiance_map": 13 + 13},  # irradiance_filled and its mask, of two rounds
         {"shadow_map": 16, "irradiance_map": 1 + 12 + 12},  # scattered_irradiance
         {"shadow_map": 16, "irradiance_map": 12, "camera": 8 + 12},  # image
     ],
@@ -63,11 +63,19 @@ def test_at_the_end_there_is_all_that_is_kept():
         assert counted - written == Counter({last.target: 4} if last.draw.vertex_stages else {}), method
 
 
-@pytest.mark.parametrize("keep", ["final", "all"])
-def test_what_is_counted_is_what_is_taken(small, keep, monkeypatch):
+@pytest.mark.parametrize(
+    ("method", "table", "keep"),
+    [
+        ("screen_space", "camera", "final"),
+        ("screen_space", "camera", "all"),
+        ("texture_space", "irradiance_map", "final"),
+    ],
+)
+def test_what_is_counted_is_what_is_taken(small, method, table, keep, monkeypatch):
     """NumPy tells what it takes; masks and the notes on an image are not counted, at most 4 bytes a pixel."""
-    small["shadow_map"] = {"width": 64, "height": 64}
-    scene = load_scene(small, **{"camera.width": 1024, "camera.height": 1024})
+    sides = {f"{each}.{side}": 64 for each in ("camera", "shadow_map") for side in ("width", "height")}
+    sides |= {f"{table}.width": 1024, f"{table}.height": 1024}
+    scene = load_scene(small, method=method, **sides)
     render(scene, keep=keep)
     monkeypatch.setattr(SPARE, "blocks", [])
     monkeypatch.setattr(SPARE, "most", 0)
@@ -75,7 +83,7 @@ def test_what_is_counted_is_what_is_taken(small, keep, monkeypatch):
     render(scene, threads=1, keep=keep)
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
-    counted = max(each["camera"] for each in bytes_at_once(scene.method, scene.kept(keep))) * 2**20
+    counted = max(each[table] for each in bytes_at_once(scene.method, scene.kept(keep))) * 2**20
     assert 1 <= peak / counted < 1.2
 
 
