@@ -1,6 +1,5 @@
 """`sss-ref measure`: how far each technique is from the truth."""
 
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -72,7 +71,7 @@ def measure(
     announce_compilation(KERNELS)
     with progress("tracing") as show:
         before = begun(folder / TRUTH, tracing)
-        radiance = traced(before, folder / TRUTH, samples, time_limit or math.inf, threads, show)
+        radiance = traced(before, folder / TRUTH, samples, time_limit, threads, show)
         fitted = fitted_material(of.volumes, photons, threads, True, show) if fit else None
         ladder = climbed(of, radiance, chosen, fitted, drawn, show)
         page = write_ladder(ladder, folder)

@@ -50,7 +50,7 @@ def truth(
     if "mm_per_unit" not in loaded.settings.model_fields_set:
         err.print("[yellow]warning: the scene has no mm_per_unit; a unit is taken for 1 mm[/]")
     with progress("tracing") as show:
-        found = traced(begun(output, tracing), output, samples, time_limit or math.inf, threads, show)
+        found = traced(begun(output, tracing), output, samples, time_limit, threads, show)
     told = recorded(found)
     out.print(
         f"{found.samples} samples a pixel, {found.lost} lost; mean radiance (red, green, blue) and standard error:"
@@ -79,14 +79,17 @@ def traced(
     found: "Radiance",
     folder: Path,
     samples: int,
-    seconds: float,
+    seconds: float | None,
     threads: int | None,
     show: Callable[[str], None],
 ) -> "Radiance":
-    """Trace until there are enough samples or the time is up, and write the folder every few samples."""
+    """Trace until there are enough samples or the time is up, and write the folder every few samples.
+
+    seconds: after which no sample is begun, but for the two without which no error is known; None: no such time.
+    """
     from sss_ref.truth.truth_folder import write_truth
 
-    end = time.monotonic() + seconds
+    end = math.inf if seconds is None else time.monotonic() + seconds
     while found.samples < samples and (found.samples < 2 or time.monotonic() < end):
         left = end - time.monotonic()
         found = found.more(min(STEP, samples - found.samples), threads, left)
