@@ -24,5 +24,5 @@ def shaders_of(folder: Path | None, settings: "SceneFile") -> dict[str, list[Pat
     others = passed_over(folder, files)
     if others:
         listed = ", ".join(f"{name} ({why})" for name, why in others.items())
-        err.print(f"[yellow]note:[/] {escape(str(folder))}: not read: {escape(listed)}", highlight=False)
+        err.print(f"[yellow]note:[/] {escape(str(folder))}: not read: {escape(listed)}")
     return files

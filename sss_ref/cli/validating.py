@@ -6,6 +6,7 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Annotated, Literal
 
 from cyclopts import Parameter
+from rich.markup import escape
 
 from sss_ref.cli.console import DIFFERS, announce_compilation, err, out, progress
 from sss_ref.cli.import_command import tell_doubts
@@ -194,7 +195,7 @@ def _told(found: "Dump") -> "Drawing":
     from sss_ref.validation.accept.dumped import Drawing
 
     for note in (*found.notes, *(f"{one.name}: {note}" for one in found.buffers.values() for note in one.notes)):
-        err.print(f"[yellow]note:[/] {note}", highlight=False)
+        err.print(f"[yellow]note:[/] {escape(note)}")
     return Drawing.read(found)
 
 
