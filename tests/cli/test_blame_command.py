@@ -28,7 +28,9 @@ def test_the_reasons_come_first_and_whose_fault_it_is_last(whose, code, is_dumpe
     drawing = SimpleNamespace(read=lambda dump: f"{dump} read")
     monkeypatch.setattr("sss_ref.validation.accept.dumped.Drawing", drawing)
     if not is_dumped:
-        monkeypatch.setattr("sss_ref.validation.accept.dumped.Drawing", lambda buffers, device: f"{buffers} by {device}")
+        monkeypatch.setattr(
+            "sss_ref.validation.accept.dumped.Drawing", lambda buffers, device: f"{buffers} by {device}"
+        )
     words = ["--dump", str(tmp_path / "dump"), "--profile", "gl"] if is_dumped else []
     assert main(["blame", "wedge", str(tmp_path / "shaders"), *words]) == code
     assert capsys.readouterr().out == f"[red] is\nwrong\nwhose fault: {whose}\n"

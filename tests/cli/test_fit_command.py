@@ -56,9 +56,7 @@ FITTED = SimpleNamespace(
     laws=[
         SimpleNamespace(worst=k / 10, fading_worst=(3 + k) / 10, fading=float(k), paper_at=k - 0.5) for k in (1, 2, 3)
     ],
-    profiles=[
-        SimpleNamespace(reflectance=reflectance, reflectance_error=0.01) for reflectance in (0.5, 0.25, 0.8)
-    ],
+    profiles=[SimpleNamespace(reflectance=reflectance, reflectance_error=0.01) for reflectance in (0.5, 0.25, 0.8)],
     keys=lambda mm_per_unit: {**KEYS, "mm_per_unit": mm_per_unit},
     fading_law=lambda mm_per_unit: {"form": "beer", "x": [1.23456, mm_per_unit]},
 )

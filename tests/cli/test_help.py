@@ -38,7 +38,8 @@ def told_defaults():
     page = app.generate_docs(output_format="markdown")
     return {
         each.partition("\n")[0]: " ".join(
-            f"{name}={default}" for name, default in re.findall(r"^\* `(?:.*?--)?([\w-]+).*default: (.*)\]\*$", each, re.M)
+            f"{name}={default}"
+            for name, default in re.findall(r"^\* `(?:.*?--)?([\w-]+).*default: (.*)\]\*$", each, re.M)
         )
         for each in page.split("\n## sss-ref ")[1:]
     }

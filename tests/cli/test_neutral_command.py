@@ -49,7 +49,9 @@ def test_how_many_changed_is_told_last(broken, code, last, drawn_by, capsys):
 
 
 def test_opengl_draws_where_it_is_asked_for_and_with_ones_own_shaders(drawn_by, tmp_path):
-    assert drawn_by([]) == drawn_by([], "--run-glsl") == drawn_by([], "--shaders", str(tmp_path), "--only", "wider") == 0
+    assert (
+        drawn_by([]) == drawn_by([], "--run-glsl") == drawn_by([], "--shaders", str(tmp_path), "--only", "wider") == 0
+    )
     assert drawn_by.seen == [
         ("wedge", None, ()),
         ("wedge", ("OpenGL", None), ()),

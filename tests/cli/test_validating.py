@@ -43,7 +43,9 @@ class Validated:
         }
         for name, stand_in in rooms.items():
             monkeypatch.setattr(f"sss_ref.{name}", stand_in)
-        monkeypatch.setattr(validating, "replace", lambda found, likeness: SimpleNamespace(**vars(found), said=likeness))
+        monkeypatch.setattr(
+            validating, "replace", lambda found, likeness: SimpleNamespace(**vars(found), said=likeness)
+        )
         monkeypatch.setattr(validating, "print_report", lambda found: self.seen.update(printed=found))
         monkeypatch.setattr(validating, "shaders_of", lambda folder, settings: folder)
         self.read = SimpleNamespace(read=lambda dump: SimpleNamespace(what=dump.what, device=None, buffers={}))

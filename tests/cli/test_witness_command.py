@@ -17,7 +17,12 @@ def found(outcome="fail", kind=vec3, reach=0.5, device="a [bold] device", **chan
     got, expected, low, high = (np.full(count, value, np.float32) for value in (2.0, 1.0, 1.0 - reach, 1.0 + reach))
     drawn = DrawnValue("camera", "lit", (7, 5), device=device)
     situation = SimpleNamespace(stage=SimpleNamespace(name="phong"))
-    numbers = {"got": got, "expected": expected, "allowed": (low, high), "reach": np.array([0.0] * (count - 1) + [reach])}
+    numbers = {
+        "got": got,
+        "expected": expected,
+        "allowed": (low, high),
+        "reach": np.array([0.0] * (count - 1) + [reach]),
+    }
     return SimpleNamespace(situation=situation, drawn=drawn, kind=kind, outcome=outcome, **{**numbers, **changes})
 
 
