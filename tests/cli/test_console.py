@@ -1,6 +1,7 @@
 """Results to standard output, everything else to standard error, as they are given."""
 
 import io
+from functools import partial
 
 import pytest
 from rich.console import Console
@@ -32,21 +33,18 @@ def test_compilation_is_told_where_it_comes(interpreter, is_cold, is_told, monke
 class AtOnce:
     """Stands in for a timer: what it is to do is done when it starts."""
 
-    waited = []
-
-    def __init__(self, seconds, act):
-        self.waited.append(seconds)
+    def __init__(self, waited, seconds, act):
+        waited.append(seconds)
         self.start, self.cancel, self.join = act, lambda: None, lambda: None
 
 
 @pytest.mark.parametrize("is_terminal", [True, False])
 def test_progress_is_shown_on_a_terminal_after_a_second(is_terminal, monkeypatch):
-    shown = io.StringIO()
+    shown, waited = io.StringIO(), []
     monkeypatch.setattr(console, "err", Console(file=shown, force_terminal=is_terminal))
-    monkeypatch.setattr(console, "Timer", AtOnce)
-    monkeypatch.setattr(AtOnce, "waited", [])
+    monkeypatch.setattr(console, "Timer", partial(AtOnce, waited))
     with console.progress("loading") as show:
         show("drawing")
-    assert AtOnce.waited == ([1.0] if is_terminal else [])
+    assert waited == ([1.0] if is_terminal else [])
     assert ("drawing" in shown.getvalue()) == is_terminal
     assert is_terminal or not shown.getvalue()

@@ -11,6 +11,9 @@ SECTIONS = [
     Section(1, "camera", "[512 x 512]"),
     Section(2, "phong", "pixel 3,4", [Row("line", 0, "a = b[0]", "1", glsl="float a = b[0];")]),
     Section(2, "lit", "", [Row("call", 1, "dot", "2", glsl="dot(n, l)"), Row("line", 2, "c", "3")]),
+    Section(
+        2, "wide", "", [Row("line", 0, "x" * 71, "(1, 2)", "3f800000 40000000", "mm"), Row("line", 0, "y" * 72, "1")]
+    ),
 ]
 PRINTED = """
 camera  [512 x 512]
@@ -23,7 +26,15 @@ camera  [512 x 512]
       dot                                                                   2
       dot(n, l)
         c                                                                   3
+
+  wide
 """
+WIDE = [
+    f"    {'x' * 71} (1, 2)                                      3f800000 40000000           mm",
+    f"    {'y' * 72}",
+    f"{' ' * 76}1",
+    "",
+]
 
 
 @pytest.fixture
@@ -53,7 +64,8 @@ def explained(monkeypatch):
 
 def test_each_section_has_its_heading_and_its_lines_in_columns(explained, capsys):
     assert explained("wedge", "--pixel", "3,4") == 0
-    assert "\n".join(map(str.rstrip, capsys.readouterr().out.split("\n"))) == PRINTED
+    lines = [line.rstrip() for line in capsys.readouterr().out.split("\n")]
+    assert lines == [*PRINTED.splitlines(), *WIDE]
     assert explained.seen == [("wedge", (3, 4), "kernel", None), ("passes", None, 1, False)]
 
 

@@ -39,8 +39,12 @@ def drawn_by(monkeypatch):
 
 @pytest.mark.parametrize(
     ("broken", "code", "last"),
-    [((), 0, "neutral: nothing changed"), ((False,), 0, "neutral: nothing changed"), ((True,), 1, "broken: 1")]
-    + [((True, False, True), 1, "broken: 2")],
+    [
+        ((), 0, "neutral: nothing changed"),
+        ((False,), 0, "neutral: nothing changed"),
+        ((True,), 1, "broken: 1"),
+        ((True, False, True), 1, "broken: 2"),
+    ],
 )
 def test_how_many_changed_is_told_last(broken, code, last, drawn_by, capsys):
     trials = [Trial(f"[bold]change {k}", each) for k, each in enumerate(broken)]

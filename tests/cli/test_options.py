@@ -25,7 +25,7 @@ def test_a_size_is_two_whole_numbers(size):
 
 @pytest.mark.parametrize("assignment", ["camera.width", "=3", "=", ""])
 def test_an_assignment_has_a_key_and_a_value(assignment):
-    with pytest.raises(SceneError, match="--set: expected key.path=value, got"):
+    with pytest.raises(SceneError, match=r"--set: expected key\.path=value, got"):
         Changes(set=(assignment,)).overrides()
 
 

@@ -73,8 +73,11 @@ def test_no_sample_is_begun_when_the_time_is_up(before, seconds, asked, written,
 
 @pytest.mark.parametrize(
     ("given", "option"),
-    [((0, 0, 1), "--samples: expected at least 1, got 0"), ((1, -1, 1), "--seed: expected at least 0, got -1")]
-    + [((1, 0, 0), "--threads: expected at least 1, got 0")],
+    [
+        ((0, 0, 1), "--samples: expected at least 1, got 0"),
+        ((1, -1, 1), "--seed: expected at least 0, got -1"),
+        ((1, 0, 0), "--threads: expected at least 1, got 0"),
+    ],
 )
 def test_the_least_numbers_that_something_is_traced_with(given, option):
     check_tracing(1, 0, 1)
