@@ -106,7 +106,7 @@ def test_how_a_row_looks(kind, style):
 
 def test_a_pixel_is_two_whole_numbers():
     assert explaining._pixel("256,300") == (256, 300) and explaining._pixel(" 1, 2 ") == (1, 2)
-    for wrong in ("20", "20,", ",20", "1;2", "-1,2", "1,2.5"):
+    for wrong in ("20", "20,", ",20", "1;2", "-1,2", "1,2.5", "9" * 5000 + ",1"):
         with pytest.raises(SceneError, match="--pixel: expected COLUMN,ROW"):
             explaining._pixel(wrong)
 

@@ -1,6 +1,7 @@
 """Which items a sweep has: the overrides of the scene that each of them is, found by its number alone."""
 
 import math
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -22,10 +23,13 @@ class Shard:
     @classmethod
     def parsed(cls, text: str) -> "Shard":
         """The shard of a text such as 3/10. Raises SceneError."""
-        number, slash, count = text.partition("/")
-        if not (slash and number.isdecimal() and count.isdecimal() and 1 <= int(number) <= int(count)):
-            raise SceneError(f"--shard: expected NUMBER/COUNT, NUMBER from 1 to COUNT, got {text!r}; write it as 3/10")
-        return cls(int(number), int(count))
+        parts = re.fullmatch(r"(\d{1,9})/(\d{1,9})", text)
+        number, count = (int(part) for part in parts.groups()) if parts else (0, 0)
+        if not 1 <= number <= count:
+            raise SceneError(
+                f"--shard: expected NUMBER/COUNT, NUMBER from 1 to COUNT, got {text[:60]!r}; write it as 3/10"
+            )
+        return cls(number, count)
 
     @property
     def suffix(self) -> str:

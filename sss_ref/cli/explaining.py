@@ -1,5 +1,6 @@
 """`sss-ref explain`."""
 
+import re
 from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
@@ -43,10 +44,10 @@ def explain(
 
 
 def _pixel(text: str) -> tuple[int, int]:
-    column, comma, row = text.partition(",")
-    if not (comma and column.strip().isdecimal() and row.strip().isdecimal()):
-        raise SceneError(f"--pixel: expected COLUMN,ROW, got {text!r}; write it as 256,300")
-    return int(column), int(row)
+    place = re.fullmatch(r"\s*(\d{1,9})\s*,\s*(\d{1,9})\s*", text)
+    if not place:
+        raise SceneError(f"--pixel: expected COLUMN,ROW, got {text[:60]!r}; write it as 256,300")
+    return int(place[1]), int(place[2])
 
 
 def _print(section: "Section") -> None:

@@ -1,5 +1,6 @@
 """What several commands have in common: overrides of the scene, and how its stages are run."""
 
+import re
 import tomllib
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -106,18 +107,26 @@ def _size(text: str | None) -> dict[str, int]:
     """The camera's overrides for WIDTHxHEIGHT."""
     if text is None:
         return {}
-    width, cross, height = text.lower().partition("x")
-    if not (cross and width.isdecimal() and height.isdecimal()):
-        raise SceneError(f"--size: expected WIDTHxHEIGHT, got {text!r}; write it as 512x512")
-    return {"camera.width": int(width), "camera.height": int(height)}
+    sides = re.fullmatch(r"(\d{1,9})[xX](\d{1,9})", text)
+    if not sides:
+        raise SceneError(f"--size: expected WIDTHxHEIGHT, got {text[:60]!r}; write it as 512x512")
+    return {"camera.width": int(sides[1]), "camera.height": int(sides[2])}
 
 
 def _assignment(text: str) -> tuple[str, Any]:
-    """The key and value of `key.path=value`; a value that is not TOML is taken as text."""
+    """The key and value of `key.path=value`; a value that is not TOML is taken as text. Raises SceneError."""
+    from sss_ref.errors.text_file import toml_in
+    from sss_ref.errors.wording import told
+
     key, equals, value = text.partition("=")
     if not (equals and key):
         raise SceneError(f"--set: expected key.path=value, got {text!r}; write it as camera.width=512")
     try:
-        return key, tomllib.loads(f"value = {value}")["value"]
+        tables = toml_in(f"value = {value}")
     except tomllib.TOMLDecodeError:
         return key, value
+    except (ValueError, RecursionError):
+        tables = {}
+    if len(tables) != 1:
+        raise SceneError(told("--set", f"one value for {key}", value, "write it as camera.width=512"))
+    return key, tables["value"]

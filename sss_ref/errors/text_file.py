@@ -11,6 +11,9 @@ from sss_ref.errors import SssRefError
 from sss_ref.errors.wording import told
 
 BYTE_LIMIT = 2**20  # of any text; none of ours comes near
+MOST_PARTS = 32  # of a dotted key: Python's TOML takes memory by the square of their number
+PART = r"""(?:"[^"\n]*+"|'[^'\n]*+'|[\w-]++)"""
+LONG_KEY = re.compile(rf"(?<![\w-]){PART}(?:[ \t]*+\.[ \t]*+{PART}){{{MOST_PARTS},}}")
 PLACE = re.compile(r"\((at line \d+, column \d+|at end of document)\)")
 
 
@@ -76,7 +79,7 @@ def toml_of(path: Path, expected: str, error_class: type[SssRefError]) -> dict[s
     """The tables of a TOML file, its keys unchecked. Raises `error_class` as `text_of` does, and for no TOML."""
     text = text_of(path, expected, error_class)
     try:
-        return tomllib.loads(text)
+        return toml_in(text)
     except tomllib.TOMLDecodeError as error:
         place = PLACE.search(str(error))
         came = f"none {place[1]}" if place else "none"
@@ -84,4 +87,11 @@ def toml_of(path: Path, expected: str, error_class: type[SssRefError]) -> dict[s
     except ValueError:  # a date or a number that Python cannot hold
         raise error_class(told(str(path), "valid TOML", "a date or number out of range", "correct it")) from None
     except RecursionError:
-        raise error_class(told(str(path), "valid TOML", "brackets nested without end", "nest less")) from None
+        raise error_class(told(str(path), "valid TOML", "brackets or keys nested without end", "nest less")) from None
+
+
+def toml_in(text: str) -> dict[str, Any]:
+    """The tables of a text. Raises TOMLDecodeError, ValueError for a number that Python cannot hold, RecursionError."""
+    if LONG_KEY.search(text):
+        raise RecursionError
+    return tomllib.loads(text)

@@ -56,7 +56,7 @@ def test_shards_share_the_items_among_them():
     assert WHOLE.of(4) == range(4)
 
 
-@pytest.mark.parametrize("text", ["", "3", "0/3", "4/3", "a/3", "-1/3", "1/"])
+@pytest.mark.parametrize("text", ["", "3", "0/3", "4/3", "a/3", "-1/3", "1/", "9" * 5000 + "/3"])
 def test_what_is_no_shard_is_refused(text):
     with pytest.raises(SceneError, match="--shard: expected NUMBER/COUNT, NUMBER from 1 to COUNT"):
         Shard.parsed(text)

@@ -111,7 +111,7 @@ def test_all_problems_at_once(tmp_path):
         ("[buffers", "expected valid TOML, got none at end of document; correct that place"),
         ("[buffers]\nx = ?", "expected valid TOML, got none at line 2, column 5; correct that place"),
         ("a = 1979-13-01", "expected valid TOML, got none at line 1, column 9; correct that place"),
-        ("a = " + "[" * 100_000, "expected valid TOML, got brackets nested without end; nest less"),
+        ("a = " + "[" * 100_000, "expected valid TOML, got brackets or keys nested without end; nest less"),
         (
             "#" * 2**20 + "#",
             "expected a folder of buffers or a mapping file, of at most 1048576 bytes, got 1048577 bytes; check",

@@ -6,7 +6,7 @@ import pytest
 
 from sss_ref.dump.mapping import read_mapping
 from sss_ref.errors import DumpError, ProfileError
-from sss_ref.errors.text_file import BYTE_LIMIT, text_of, write_text, write_texts
+from sss_ref.errors.text_file import BYTE_LIMIT, text_of, toml_in, write_text, write_texts
 from sss_ref.validation.profile_file import profile_of
 
 READERS = [(read_mapping, DumpError), (profile_of, ProfileError)]
@@ -26,7 +26,12 @@ def test_a_pipe_and_a_device_are_refused_before_they_are_opened(tmp_path, read, 
 @pytest.mark.parametrize(
     ("data", "came"),
     [
-        (b"a = " + b"[" * 100_000, "expected valid TOML, got brackets nested without end; nest less"),
+        (b"a = " + b"[" * 100_000, "expected valid TOML, got brackets or keys nested without end; nest less"),
+        (
+            b".".join([b"a"] * 100_000) + b"=1",
+            "expected valid TOML, got brackets or keys nested without end; nest less",
+        ),
+        (b"[" + b" . ".join([b'"\xc3\xa9"'] * 33) + b"]", "got brackets or keys nested without end; nest less"),
         (b"a = ?", "expected valid TOML, got none at line 1, column 5; correct that place"),
         (b"a =", "expected valid TOML, got none at end of document; correct that place"),
         (b"a = " + b"9" * 5000, "expected valid TOML, got a date or number out of range; correct it"),
@@ -48,6 +53,14 @@ def test_a_text_comes_through(tmp_path):
     assert text_of(tmp_path / "x", "a text", DumpError) == "é" * 10
     with pytest.raises(DumpError, match="expected a text, got No such file or directory; check the path"):
         text_of(tmp_path / "y", "a text", DumpError)
+
+
+def test_what_is_no_long_key_is_read():
+    """Nor is it long to look for one: some of these take a minute where the search tries again."""
+    long = ("a" * 500_000, "'" * 9 + "a" * 100_000, '"' + "a'" * 99_999)
+    assert [len(toml_in(f"# {text}\n" + "a.b = 1")) for text in (*long, ". " * 100_000, "1.5, " * 100_000)] == [1] * 5
+    assert toml_in(".".join("k" * 32) + " = 3")
+    assert toml_in("a = [" + "1.0, " * 1000 + "]")["a"][999] == 1
 
 
 def test_a_text_is_written_or_refused_in_one_line(tmp_path):

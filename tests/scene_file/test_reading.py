@@ -136,7 +136,7 @@ def test_toml_that_cannot_be_parsed(tmp_path):
     (line,) = problems(path)
     assert line == f"{path}: expected valid TOML, got none at line 2, column 6; correct that place"
     path.write_text("a = " + "[" * 100_000)
-    assert problems(path) == [f"{path}: expected valid TOML, got brackets nested without end; nest less"]
+    assert problems(path) == [f"{path}: expected valid TOML, got brackets or keys nested without end; nest less"]
     path.write_bytes(b"\xff")
     expected = f"{path}: expected {SCENE} in UTF-8, got a byte that is no UTF-8 at byte 0; save it as UTF-8"
     assert problems(path) == [expected]
