@@ -100,6 +100,7 @@ def test_channels_that_are_shared_and_the_order_of_the_surest():
         ((1, 0, 2), 0.849, 0.9, False),
         ((1, 0, 2), 0.9, 0.029, False),
         ((1, 0, 2), 0.0, -1e-10, True),
+        ((0, 1, 2), 0.0, 1e-9, False),
     ],
 )
 def test_when_the_order_of_channels_is_sure(channels, close, ordered, sure):
