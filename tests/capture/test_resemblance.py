@@ -89,6 +89,18 @@ def test_nothing_and_one_pixel_are_pictures_too():
     assert resemblance(*[Columns.of(np.ones((4, 1)), dot)] * 2, np.zeros((4, 1)), False).total == ONE
 
 
+def test_one_pixel_beside_nothing_is_not_shaped_like_it():
+    same, nothing, dot = np.ones((4, 1)), np.zeros((9, 1), bool), np.eye(9, 1, dtype=bool)
+    found = resemblance(Columns.of(same, dot), Columns.of(same, nothing), np.zeros((4, 1)), False)
+    assert found.total == pytest.approx(0.9)
+
+
+@pytest.mark.parametrize(("number", "close"), [(1e-4, 1), (1.001e-4, 0)])
+def test_whole_numbers_are_the_same_up_to_a_ten_thousandth(number, close):
+    held, expected = (Columns.of(np.full((4, 1), each), np.zeros((9, 1), bool)) for each in (number, 0.0))
+    assert resemblance(held, expected, np.zeros((4, 1)), True).close == close
+
+
 def test_uncommon_is_what_is_not_the_commonest_of_its_channel():
     values = np.array([[0, 5], [0, 6], [1, 6], [2, 6]])
     assert uncommon(values).tolist() == [[False, True], [False, False], [True, False], [True, False]]

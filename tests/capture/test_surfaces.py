@@ -51,6 +51,7 @@ def test_the_content_is_the_same_upside_down_and_with_channels_in_another_order(
         ([[1, 2], [1, 2]], False, True),
         ([[1, 2], [3, 4], [1, 2]], False, True),
         ([[2, 1], [1, 1]], False, False),
+        ([[1]], True, True),
     ],
 )
 def test_what_is_blank_and_what_is_the_same_upside_down(rows, blank, even):
@@ -107,7 +108,7 @@ def exr(path, *parts):
 def test_the_surfaces_of_a_folder_by_name_and_what_is_none(tmp_path):
     """A file's only surface needs no part; layers and parts are surfaces of their own."""
     exr(tmp_path / "a.exr", ("", "RGB"))
-    exr(tmp_path / "b.exr", ("", ["n.X", "n.Y", "Z"]))
+    exr(tmp_path / "b.exr", ("", ["m.X", "n.X", "n.Y", "Z"]))
     exr(tmp_path / "c.exr", ("left", "R"), ("right", "G"))
     Image.fromarray(np.zeros((2, 2), np.uint8)).save(tmp_path / "d.png")
     (tmp_path / "e.txt").write_text("none")
@@ -118,12 +119,13 @@ def test_the_surfaces_of_a_folder_by_name_and_what_is_none(tmp_path):
     assert [(each.path.name, each.part, sorted(each.channels)) for each in found] == [
         ("a.exr", None, ["B", "G", "R"]),
         ("b.exr", "0", ["Z"]),
+        ("b.exr", "0", ["m.X"]),
         ("b.exr", "0", ["n.X", "n.Y"]),
         ("c.exr", "left", ["R"]),
         ("c.exr", "right", ["G"]),
         ("d.png", None, ["R"]),
     ]
-    assert found[2].values[0, 0].tolist() == [0, 1], "its own channels, not the first ones"
+    assert found[3].values[0, 0].tolist() == [1, 2], "its own channels, not the first ones"
     said = [note.removeprefix(f"{tmp_path}/").partition(" (")[0] for note in notes]
     assert said[:2] == ["e.txt: expected a picture", "f: expected a picture"]
     assert notes[1].endswith("got no suffix; it is left out") and "got .txt" in notes[0]

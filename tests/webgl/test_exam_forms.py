@@ -36,7 +36,7 @@ def unpacked(text, dtype):
 
 
 def test_a_device_snaps_to_16_steps_of_a_pixel_at_least():
-    """OpenGL ES 3.0, table 6.28: SUBPIXEL_BITS is 4 or more; how it rounds to these is not said."""
+    """OpenGL ES 3.0 asks for 4 SUBPIXEL_BITS; how it rounds to these is not said."""
     assert (WEBGL.subpixel_bits, WEBGL.snap) == (4, "any")
 
 
