@@ -1,7 +1,8 @@
 """What every implementation of a shading language's API has, and how buffers are bound there: typed from the standards.
 
-MAX_DRAW_BUFFERS is at least 8 in OpenGL and 4 in OpenGL ES 3.0; Direct3D 11 has 8 render targets, and registers from 0
-on; WebGPU, "Limits", 8 colour attachments, of 32 bytes a sample together. Longer uniform arrays are textures.
+MAX_DRAW_BUFFERS is at least 8 in OpenGL and 4 in OpenGL ES 3.0, maxColorAttachments 4 in Vulkan; Direct3D 11 has 8
+render targets, and registers from 0 on; WebGPU, "Limits", 8 attachments, of 32 bytes a sample together. Longer uniform
+arrays are textures.
 """
 
 import pytest
@@ -12,7 +13,7 @@ from sss_ref.language.types import vec2, vec3, vec4
 # most outputs, most bytes of these, longest array, groups, first texture, indices, overloads, four channels of a texel
 LIMITS = {
     "glsl": (8, None, 64, None, 1, True, True, True),
-    "vulkan": (8, None, 64, (0, 1), 1, True, True, True),
+    "vulkan": (4, None, 64, (0, 1), 1, True, True, True),
     "essl": (4, None, 64, None, 1, False, True, True),
     "hlsl": (8, None, 64, (0, 0), 0, True, True, False),
     "wgsl": (8, 32, 0, (0, 1), 1, False, False, True),
