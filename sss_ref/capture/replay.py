@@ -12,6 +12,7 @@ from typing import Any
 
 DEPTH = "depth"
 ANEW = ("Clear", "Don't Care")  # how a render pass may begin
+ATTACHING = ("glBindFramebuffer", "glFramebufferTexture", "glNamedFramebufferTexture")  # how such calls begin
 
 
 def main(capture: str, folder: str) -> None:
@@ -55,11 +56,12 @@ class Replay:
     def last_of_runs(self) -> Iterator[tuple[Any, list[str]]]:
         """The last of all draws one after the other into the same targets, with the debug groups around it.
 
-        What clears the targets, or may, stands between: a clear, or in Vulkan the begin of a render pass.
+        What clears the targets, or may, stands between: a clear, or in Vulkan the begin of a render pass. Layers of one
+        texture are targets of their own.
         """
         before: tuple[Any, list[str]] | None = None
         for action, groups in self.actions(self.controller.GetRootActions(), []):
-            if before and self.targets(before[0]) != self.targets(action):
+            if before and (self.targets(before[0]) != self.targets(action) or self.is_elsewhere(before[0], action)):
                 yield before
             before = (action, groups) if action.flags & self.rd.ActionFlags.Drawcall else None
         if before:
@@ -86,6 +88,18 @@ class Replay:
         """What a draw draws into; a clear is none."""
         is_draw = action.flags & self.rd.ActionFlags.Drawcall
         return (*map(str, action.outputs), str(action.depthOut)) if is_draw else ()
+
+    def is_elsewhere(self, before: Any, action: Any) -> bool:
+        """Whether a draw is into other layers or mips than one before it; in OpenGL a call in between must say so."""
+        chunks = self.controller.GetStructuredFile().chunks
+        calls = [chunks[each.chunkIndex].name for each in action.events]
+        return any(call.startswith(ATTACHING) for call in calls) and self.parts(before) != self.parts(action)
+
+    def parts(self, action: Any) -> list[tuple[int, int]]:
+        """The mip and the layer of each target of a draw."""
+        self.controller.SetFrameEvent(action.eventId, True)
+        state = self.controller.GetPipelineState()
+        return [(each.firstMip, each.firstSlice) for each in (*state.GetOutputTargets(), state.GetDepthTarget())]
 
     def picture(self, action: Any, groups: list[str], number: str, target: Any) -> dict[str, Any]:
         """Write one picture; what is known of it."""

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from frame_capture import captured as capture_of
-from frame_capture import captured_of_vulkan, captured_passes
+from frame_capture import captured_layers, captured_of_vulkan, captured_passes
 
 from sss_ref.capture import renderdoc_file
 from sss_ref.capture.placing import place
@@ -69,6 +69,12 @@ def test_of_render_passes_what_each_leaves_before_the_next_clears_it(tmp_path):
     assert (first[..., 2] == 1).all() and (second[..., 2] == 3).all()
     assert first[0, 0, :2].tolist() == [0.5, 2.5]  # the bottom row first, as y points down
     assert np.unique(depth).tolist() == [np.float32(0x400000 / (2**24 - 1))]
+
+
+def test_of_layers_of_a_texture_what_each_was_left_with(tmp_path):
+    """In OpenGL one may be drawn into after the other with nothing in between but what attaches it."""
+    found, notes = renderdoc_file.captured(captured_layers(tmp_path), tmp_path)
+    assert not notes and [np.unique(each.texels.data).tolist() for each in found] == [[2], [3]]
 
 
 def test_a_capture_is_judged_at_once(frame, capsys):

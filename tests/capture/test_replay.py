@@ -11,6 +11,8 @@ import pytest
 from sss_ref.capture import replay
 
 NOTHING = SimpleNamespace(resourceId="none", firstMip=0, firstSlice=0)
+CALLS = ["glDrawArrays", "glBindFramebuffer", "glNamedFramebufferTextureLayerEXT", "vkCmdDraw"]
+FILE = SimpleNamespace(name="file", chunks=[SimpleNamespace(name=call) for call in CALLS])
 
 
 class Flags(IntFlag):
@@ -50,7 +52,7 @@ class Controller:
         return self.roots
 
     def GetStructuredFile(self):
-        return "file"
+        return FILE
 
     def SetFrameEvent(self, event, force):
         assert force is True
@@ -91,7 +93,7 @@ def texture(width=8, height=4, samples=1, **more):
     return {"width": width, "height": height, "msSamp": samples, "format": kind, **more}
 
 
-def action(event, flags, outputs=(), depth=NOTHING, name=None, children=()):
+def action(event, flags, outputs=(), depth=NOTHING, name=None, children=(), calls=()):
     return SimpleNamespace(
         eventId=event,
         flags=flags,
@@ -100,7 +102,8 @@ def action(event, flags, outputs=(), depth=NOTHING, name=None, children=()):
         colors=list(outputs),
         depth=depth,
         children=list(children),
-        GetName=lambda file: name or f"action {event} of {file}",
+        events=[SimpleNamespace(chunkIndex=CALLS.index(call)) for call in calls],
+        GetName=lambda file: name or f"action {event} of {file.name}",
     )
 
 
@@ -146,6 +149,23 @@ def test_a_run_ends_where_the_targets_are_cleared(tmp_path, between, expected):
     first, last = action(1, Flags.Drawcall, [A]), action(3, Flags.Drawcall, [A])
     assert ends(tmp_path, first, between, last) == expected
     assert ends(tmp_path, first, between) == [1] and ends(tmp_path, between, last) == [3]
+
+
+@pytest.mark.parametrize(
+    ("second", "calls", "expected"),
+    [
+        (target("a", part=1), CALLS[:2], [1, 2]),
+        (target("a", mip=1), [CALLS[2]], [1, 2]),
+        (target("a"), CALLS[:3], [2]),
+        (target("a", part=1), [CALLS[3]], [2]),
+    ],
+)
+def test_a_run_ends_where_another_layer_is_attached(tmp_path, second, calls, expected):
+    """In Vulkan a render pass begins for it."""
+    draws = action(1, Flags.Drawcall, [A]), action(2, Flags.Drawcall, [second], calls=calls)
+    assert ends(tmp_path, *draws) == expected
+    draws = action(1, Flags.Drawcall, depth=A), action(2, Flags.Drawcall, depth=second, calls=calls)
+    assert ends(tmp_path, *draws) == expected
 
 
 def test_draws_have_the_groups_around_them(tmp_path):

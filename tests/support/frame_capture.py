@@ -50,6 +50,32 @@ def recorded():
 drawing.open_context = recorded
 drawing.draw(scene)
 """
+LAYERS = """
+from sss_ref.gl import drawing
+
+COLOR, TARGET, UNSIGNED = 0x8CE0, 0x8D40, ctypes.c_uint  # of OpenGL's own calls, which moderngl has not for a layer
+context = drawing.open_context()
+egl = ctypes.CDLL("libEGL.so.1")
+egl.eglGetProcAddress.restype = ctypes.c_void_p
+types = [UNSIGNED] * 3 + [ctypes.c_int] * 2
+attach = ctypes.CFUNCTYPE(None, *types)(egl.eglGetProcAddress(b"glFramebufferTextureLayer"))
+call(START)
+layers = context.texture_array((5, 3, 2), 4, dtype="f4")
+frame = context.framebuffer([context.texture((5, 3), 4, dtype="f4")])
+program = context.program(
+    vertex_shader="#version 400\\nvoid main()"
+    "{ gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0, 0.25, 1.0); }",
+    fragment_shader="#version 400\\nuniform float value; out vec4 color; void main() { color = vec4(value); }",
+)
+frame.use()
+for layer, values in enumerate(((1.0, 2.0), (3.0,))):
+    attach(TARGET, COLOR, layers.glo, 0, layer)
+    for value in values:
+        program["value"] = value
+        context.vertex_array(program, []).render(vertices=3)
+context.finish()
+end()
+"""
 WEBGPU = """
 from wgpu.backends.wgpu_native.extras import set_instance_extras
 from sss_ref.webgpu import painting
@@ -116,9 +142,18 @@ def captured(folder, scene, overrides):
 
     The library takes itself out of LD_PRELOAD when it is loaded, so nothing may stand between it and Python.
     """
+    return _by_opengl(folder, OPENGL, scene, json.dumps(overrides))
+
+
+def captured_layers(folder):
+    """The capture of two layers of a texture, 5 x 3, drawn into without a clear: 1 and then 2, 3 into the other."""
+    return _by_opengl(folder, LAYERS, "sphere", "{}")
+
+
+def _by_opengl(folder, script, *words):
     pytest.importorskip("moderngl")
     require_renderdoc()
-    command = [sys.executable, "-c", SCRIPT + OPENGL, str(folder / "frame"), scene, json.dumps(overrides)]
+    command = [sys.executable, "-c", SCRIPT + script, str(folder / "frame"), *words]
     done = run(command, {"LD_PRELOAD": LIBRARY})
     if "OpenGL 4.0" in done.stderr:
         pytest.skip("there is no OpenGL 4.0")
