@@ -31,6 +31,25 @@ def test_gaussian_along():
     assert call(gaussian_along, texels_per_mm=(0.5, 9), **bare) == ((2, 2, 2),)
 
 
+def test_between_four_texels():
+    """A quarter and three quarters of a texel away: 3/16, 1/16, 9/16 and 3/16 of them, or of those on a chart."""
+    four = np.pad(np.float32([[16, 32], [64, 128]]), 1, constant_values=1000)
+    irradiance = np.repeat(four[..., None], 3, axis=2)
+    offsets = {"spread_offset": np.tile(np.float32([[0.25, 0.75]]), (7, 1)), "texels_per_mm": (1, 1), "spread_mm": 1}
+    square = {**ROW, **offsets, "irradiance": irradiance, "pixel": (1, 1)}
+    for beside, expected in (
+        (None, 3 + 2 + 36 + 24),
+        ((1, 1), 62 / (13 / 16)),
+        ((1, 2), 63 / (15 / 16)),
+        ((2, 1), 29 / (7 / 16)),
+        ((2, 2), 41 / (13 / 16)),
+    ):
+        charts = np.ones((4, 4), np.uint8)
+        if beside:
+            charts[beside] = 0
+        assert call(gaussian_along, **{**square, "irradiance_mask": charts})[0][0] == np.float32(expected)
+
+
 def test_the_other_axis():
     upright = {name: np.swapaxes(ROW[name], 0, 1) for name in ("irradiance", "irradiance_mask")}
     column = {**ROW, **upright, "pixel": (0, 1), "spread_offset": PLACES[:, ::-1]}
