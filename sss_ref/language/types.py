@@ -155,7 +155,7 @@ class _Rows(Generic[T]):
     """An ndarray whose last axis, if there is one more than the index has, holds the components of a T."""
 
     __slots__ = ("data",)
-    index_axes = 0
+    index_axes: ClassVar[int]
 
     def __init__(self, data: np.ndarray) -> None:
         self.data = data

@@ -387,3 +387,24 @@ def test_constructor_takes_vectors_apart():
         return Value(whole.w)
 
     assert built.body.statements[0].value.type is vec4
+
+
+def test_a_minus_before_a_number_is_of_the_number():
+    @stage(source="test")
+    def shifted(x: float) -> Value:
+        return Value(x + -1.5)
+
+    _, number = shifted.body.result.values["value"].operands
+    assert (number.type, number.value) == (float, -1.5)
+
+
+def test_letters_of_a_vector_are_a_number_or_a_shorter_vector():
+    @stage(source="test")
+    def parts(x: vec4, at: ivec2, y: float) -> Two:
+        pair = x.xy
+        three = x.xyz
+        column = at.x
+        one = select(column > 0, three.z, pair.y)
+        return Two(three, one > y)
+
+    assert [each.value.type for each in parts.body.statements] == [vec2, vec3, int, float]

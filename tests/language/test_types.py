@@ -69,3 +69,15 @@ def test_a_texel_is_at_its_column_and_row():
     assert values(Texture(colors).fetch(at)) == [15, 16, 17]
     assert [bool(Texture(np.array([[0, 1]], np.uint8)).fetch(ivec2(k, 0))) for k in (0, 1)] == [False, True]
     assert values(Array(colors[0])[1]) == [3, 4, 5] and Array(numbers[0])[2] == 2.0
+
+
+@pytest.mark.parametrize("vector", [vec2, vec3, vec4])
+def test_a_texel_of_several_channels_is_a_vector_of_as_many(vector):
+    """Of 5 x 7 texels, and of 7 elements."""
+    stored = np.arange(7 * 5 * vector.count, dtype=F).reshape(7, 5, vector.count)
+    for found, expected in (
+        (Texture(stored).fetch(ivec2(4, 6)), stored[6, 4]),
+        (Texture(stored).fetch(ivec2(0, 5)), stored[5, 0]),
+        (Array(stored[:, 1])[6], stored[6, 1]),
+    ):
+        assert type(found) is vector and values(found) == expected.tolist()
