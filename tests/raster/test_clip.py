@@ -1,4 +1,6 @@
+import naive_raster
 import numpy as np
+import pytest
 from raster_proof import assert_same_bits
 
 from sss_ref.raster.clip import MOST_VERTICES, clip, fans
@@ -64,6 +66,17 @@ def edge_vertices(a, b, c):
     """The vertices of the clipped triangle that lie on a-b: those whose third barycentric attribute is exactly 0."""
     left = cut(a, b, c, attributes=[[0], [0], [1]])
     return {vertex.tobytes() for vertex in left.reshape(-1, 5)[:, :5].astype(np.float32) if vertex[4] == 0}
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_each_triangle_is_cut_plane_by_plane_in_the_order_of_the_rule(seed):
+    """As one reads the rule: many cross both planes of an axis, where another order has other bits."""
+    rng = np.random.default_rng(seed)
+    for triangle in (rng.normal(size=(60, 3, 6)) * (3, 3, 3, 1, 1, 1) + (0, 0, 0, 0.7, 0, 0)).astype(np.float32):
+        polygon = naive_raster.clip([list(vertex) for vertex in triangle], set())
+        fan = [(polygon[0], polygon[k], polygon[k + 1]) for k in range(1, len(polygon) - 1)]
+        found = cut(*triangle[:, :4], attributes=triangle[:, 4:])
+        assert_same_bits(found, np.array(fan, np.float32).reshape(-1, 3, 6))
 
 
 def test_nothing_is_left_of_a_triangle_outside():

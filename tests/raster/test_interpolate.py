@@ -33,6 +33,15 @@ def test_attribute_by_hand(corners):
     assert_same_bits(interpolate_compiled(primitives, *where, VIEWPORT.step), expected)
 
 
+@pytest.mark.parametrize("corners", [(0, 1, 2), (2, 1, 0), (1, 2, 0)])
+def test_every_corner_gives_its_share(corners):
+    primitives = one_triangle(corners, attributes=((1, 5), (2, -4), (8, 0.5)))
+    expected = np.float32([[18, 28.25]]) / np.float32(11.5)  # 8*1 + 3*2 + .5*8, 8*5 - 3*4 + .5*.5
+    where = np.array([[0], [1], [0]])
+    assert_same_bits(interpolate_arrays(primitives, *where, VIEWPORT.step), expected)
+    assert_same_bits(interpolate_compiled(primitives, *where, VIEWPORT.step), expected)
+
+
 def test_a_clockwise_piece_keeps_the_sign_of_zero():
     primitives = one_triangle((2, 1, 0), attributes=((0,), (0,), (0,)))
     on_an_edge = np.array([[0], [0], [3]])  # where one weight is 0 the products' zeros would differ in sign

@@ -142,3 +142,5 @@ def test_an_orbit_is_about_the_middle_of_the_mesh_and_a_direction_needs_no_dista
     assert placed(PointLight(azimuth=0, distance=4), bounds).position == (0, 0, 5)
     light = placed(DirectionalLight(type="directional", azimuth=0, target=(3, 0, 0)), bounds)
     assert light.position == (3, 0, 1 + 2 * 1.05 * 2)  # 2 k before the centre, along the rays
+    behind = placed(DirectionalLight(type="directional", azimuth=0, target=(3, 0, 5)), bounds)
+    assert behind.position == pytest.approx((3, 0, 1 + 2 * 1.05 * 2), rel=1e-15)  # wherever on the ray its target is

@@ -7,6 +7,7 @@ from sss_ref.view.matrices import (
     mirrors,
     normal_matrix,
     orthographic,
+    outward,
     perspective,
     placement,
     product,
@@ -26,6 +27,21 @@ def test_product_sums_in_the_written_order():
         for row, column in np.ndindex(4, 4):
             p = [float(a[row, k]) * float(b[k, column]) for k in range(4)]
             assert product(a, b)[row, column] == ((p[0] + p[1]) + p[2]) + p[3]
+
+
+def test_points_are_transformed_in_the_written_order():
+    generator = np.random.default_rng(2)
+    matrix, points = generator.standard_normal((4, 4)), generator.standard_normal((20, 3)).astype(np.float32)
+    for point, found in zip(points.astype(float).tolist(), transformed(matrix, points).tolist(), strict=True):
+        assert found == [((m[0] * point[0] + m[1] * point[1]) + m[2] * point[2]) + m[3] for m in matrix[:3].tolist()]
+
+
+@pytest.mark.parametrize(
+    ("azimuth", "elevation", "expected"),
+    [(60, 30, (0.75, 0.5, 0.75**0.5 / 2)), (-30, 60, (-0.25, 0.75**0.5, 0.75**0.5 / 2)), (0, -90, (0, -1, 0))],
+)
+def test_a_place_on_the_globe(azimuth, elevation, expected):
+    assert outward(azimuth, elevation) == pytest.approx(expected, rel=1e-15)
 
 
 def test_placement_scales_then_turns_about_x_y_z_then_moves():
@@ -85,6 +101,11 @@ def test_perspective_by_hand():
     assert np.array_equal(perspective(90, 2, 1, 3), expected)
 
 
+def test_a_perspective_from_beyond_1():
+    # Near 2, far 6: z = (-2 z - 6), which is -2 and 6 there, and w is 2 and 6.
+    assert np.array_equal(perspective(90, 1, 2, 6)[2], [0, 0, -2, -6])
+
+
 def test_a_narrow_perspective():
     """Tan 30 = 1 / sqrt 3: what lies at that angle comes to the upper edge."""
     matrix = perspective(60, 2, 1, 3)
@@ -113,8 +134,8 @@ def test_orthographic():
 
 
 @pytest.mark.parametrize(
-    "factors, expected", [((0.5, 0.5, 0.5), False), ((0.5, -0.5, 0.5), True), ((-2, -3, 4), False)]
+    "factors, expected", [((0.5, 0.5, 0.5), False), ((0.5, -0.5, 0.5), True), ((-2, -3, 4), False), ((0, 1, 1), False)]
 )
 def test_an_odd_number_of_mirrored_axes_mirrors(factors, expected):
-    """However small: the determinant is .125, -.125, 24."""
+    """However small: the determinant is .125, -.125, 24, 0."""
     assert mirrors(scaling(factors)) == expected
