@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from scenes import around, two_slabs, written
 
@@ -9,9 +10,11 @@ from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.numerics.bounded import Bounded
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
+from sss_ref.validation.accept.rebased import Check
+from sss_ref.validation.accept.sparing import NEEDED, SAMPLED
 from sss_ref.validation.stage_by_stage import validate
 from sss_ref.validation.verdict.background import Background
-from sss_ref.validation.verdict.verdict import Verdict, WrongPixel
+from sss_ref.validation.verdict.verdict import Verdict, WrongPixel, judged
 
 
 @pytest.fixture(scope="module")
@@ -134,3 +137,87 @@ def test_outcomes_are_estimates_where_some_were_not_bounded():
 def test_a_wrong_pixel_in_words():
     pixel = WrongPixel((3, 5), "1.5", "1.0", (-1, 0, 7), 2.0, 1.0)
     assert str(pixel) == "at pixel 3,5 (no triangle or triangle 0 or triangle 7): 1.5, expected 1.0"
+
+
+class Anywhere:
+    """Says which pixels it was asked for; stands for `Whereabouts`."""
+
+    def at(self, pass_name, pixel):
+        return (*pixel, 7)
+
+    def clusters(self, pass_name, where, wrong):
+        return pass_name, where.tolist(), wrong.tolist()
+
+
+ULP = 2.0**-23  # of 1
+WHERE = np.array([[False, True, True, True], [True, True, True, False]])
+EXPECTED = np.float32([[[9, 9], [1, 0.5], [1, 0.5], [1, 0.5]], [[1, 0.5], [1, 0.5], [np.inf, 1], [9, 9]]])
+REACH = np.array([[[0, 0], [0, 0], [0, 0], [ULP, 0]], [[0, 0], [4 * ULP, ULP], [0, 0], [0, 0]]])
+
+
+def check_of(**changed):
+    """Six compared pixels of eight: one is right, and so is one an ULP off; three are wrong, one is undefined."""
+    got = EXPECTED.copy()
+    got[0, 2] += np.float32([2 * ULP, 0])
+    got[0, 3] += np.float32([ULP, 0])
+    got[1, 0] += np.float32([0, 3 * ULP])  # 6 of its own
+    got[1, 1] += np.float32([-12 * ULP, 2 * ULP])
+    got[~WHERE] = 0
+    return Check(
+        "camera", "shading", "lit", **({"where": WHERE, "expected": EXPECTED, "got": got, "reach": REACH} | changed)
+    )
+
+
+def test_a_verdict_counts_pixels_and_values():
+    found = judged(check_of(fragments=np.ones((2, 4), bool)), Anywhere())
+    assert (found.pass_name, found.stage, found.buffer) == ("camera", "shading", "lit")
+    assert (found.compared, found.comparable, found.bounded) == (6, 8, 6)
+    assert (found.equal, found.within, found.undefined, found.failing) == (2, 2, 1, 3)
+    assert (found.ambiguous, found.unbounded, found.certain) == (0, 0, 2)
+    # 12 values: 7 as they should be, then of those off by 1; 2; 4 and 6; 12 (24 of those below 1)
+    assert found.ulps == (7, 1, 1, 2, 1, 0, 0) and sum(found.ulps) == 12
+
+
+def test_the_first_wrong_pixel_goes_by_rows_and_the_worst_by_its_distance():
+    found = judged(check_of(), Anywhere())
+    assert found.first.at == (2, 0) and found.worst.at == (1, 1)
+    assert (found.first.triangles, found.worst.triangles) == ((2, 0, 7), (1, 1, 7))
+    assert found.first.got == "(1.0000002, 0.5)" and found.first.expected == "(1.0, 0.5)"
+    assert (found.first.ulps, found.first.widths) == (2, np.inf)
+    assert (found.worst.ulps, found.worst.widths) == (8, 1)  # 12 less 4, of an interval of 8; 2 less 1 beside it
+
+
+def test_a_pixel_beyond_its_reach_in_one_channel_is_as_wide_of_it_as_that_channel():
+    reach = REACH.copy()
+    reach[1, 0] = (0, ULP / 2)
+    found = judged(check_of(reach=reach, where=np.array([[False] * 4, [True, False, False, False]])), Anywhere())
+    assert (found.compared, found.first.at, found.first.ulps, found.first.widths) == (1, (0, 1), 2.5, 2.5)
+
+
+def test_its_clusters_are_of_the_compared_pixels_and_the_wrong_ones():
+    wrong = [[False, False, True, False], [True, True, False, False]]
+    assert judged(check_of(), Anywhere()).clusters == ("camera", WHERE.tolist(), wrong)
+    right = judged(check_of(got=EXPECTED), Anywhere())
+    assert right.clusters is right.first is right.worst is None
+
+
+def test_what_is_no_number_is_infinitely_far_off():
+    got = EXPECTED.copy()
+    got[1, 0, 1] = np.nan
+    found = judged(check_of(got=got), Anywhere())
+    assert found.worst.at == (0, 1) and (found.worst.ulps, found.worst.widths) == (np.inf, np.inf)
+
+
+def test_what_is_let_pass_is_told_of_the_sample():
+    """Of two sampled pixels one lets 2 of 4 pass; that of the spared ones is not known."""
+    expected = np.float32([[4, 2, 4, 4]])
+    check = Check("camera", "shading", "lit", np.ones((1, 4), bool), expected, expected, np.array([[0, 1.0, 9, 9]]))
+    found = judged(replace(check, bounded=np.uint8([[SAMPLED, SAMPLED, 0, NEEDED]])), Anywhere())
+    assert found.passing == 0.25 and sum(found.widths.counts) == 2 and found.bounded == 3
+    whole = judged(replace(check, reach=np.zeros((1, 4))), Anywhere())
+    assert whole.passing == 0 and whole.widths.counts == (4, 0, 0, 0, 0, 0, 0, 0) and whole.bounded == 4
+
+
+def test_without_any_doubt_nothing_of_a_verdict_is_let_pass():
+    plain = verdict_of()
+    assert (plain.comparable, plain.passing, plain.loose, plain.failed) == (0, 0, False, False)
