@@ -62,4 +62,4 @@ def _within(case: Case, check: Check, bounds: KnownBuffer) -> int:
     """How many compared pixels lie within the bounds of a buffer."""
     low, high = (np.atleast_3d(end)[check.where].astype(np.float64) for end in (bounds.low, bounds.high))
     got = case.drawing.before(check.buffer, np.atleast_3d(check.got)[check.where])
-    return int(((got.high >= low) & (got.low <= high)).all(axis=-1).sum())
+    return int(((got.high >= low) & (got.low <= high)).all(axis=1).sum())

@@ -136,7 +136,7 @@ class DrawnPass:
         own = stacked(values[name])
         columns = slice(self._varyings[name], self._varyings[name] + own.shape[1])
         slack = interpolation_slack(self.visible.boxes, fragments.piece[at], at[1], at[0], own, columns)
-        rounding = np.abs(own.astype(np.float64)).max(axis=-1, keepdims=True) * INTERPOLATION
+        rounding = np.abs(own.astype(np.float64)).max(axis=1, keepdims=True) * INTERPOLATION
         return around(values[name], slack + rounding)
 
 

@@ -64,7 +64,7 @@ class Drawing:
         computed, held = np.atleast_3d(exact)[found], np.atleast_3d(got)[found]
         with np.errstate(invalid="ignore"):
             near = np.abs(held.astype(np.float64) - computed) <= moved(*storages, computed, held)
-        found[found] = ~(near & np.isfinite(held)).all(axis=-1)
+        found[found] = ~(near & np.isfinite(held)).all(axis=1)
         return found
 
     def texture(self, name: str) -> str | Loss:

@@ -94,7 +94,7 @@ class KnownBuffer:
         for buffer, values in ((self.exact, exact), (self.low, low), (self.high, high)):
             buffer[at] = _within_type(values, buffer.dtype)
         apart = self.low[at] != self.high[at]
-        self.doubt[at] = apart if apart.ndim == 1 else apart.any(axis=-1)
+        self.doubt[at] = apart if apart.ndim == 1 else apart.any(axis=1)
 
     def include(self, buffer: np.ndarray, where: np.ndarray) -> None:
         """Let it hold the values of another buffer too where a mask, bool (H, W), says so."""
@@ -115,7 +115,7 @@ def pixels_of(where: np.ndarray) -> Pixels:
 
 def stacked(value: Any) -> np.ndarray:
     """The components of a value side by side: (N, C), or (1, C) for a uniform."""
-    return np.stack(np.broadcast_arrays(*map(np.atleast_1d, components(value))), axis=-1)
+    return np.stack(np.broadcast_arrays(*map(np.atleast_1d, components(value))), axis=1)
 
 
 def _reach(exact: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:

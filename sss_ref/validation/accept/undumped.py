@@ -55,8 +55,8 @@ def _put_shown(drawn: DrawnPass, found: Mapping[str, KnownBuffer]) -> None:
     draw, fragments = drawn.this_pass.draw, drawn.work.fragments
     if {draw.triangle, draw.coverage} & set(found):
         primitives, piece = fragments.of_mesh
-        at = pixels_of(fragments.where)
-        values = {draw.triangle: primitives.triangle[piece[at]], draw.coverage: np.ones(len(at[0]), np.uint8)}
+        at = rows, _ = pixels_of(fragments.where)
+        values = {draw.triangle: primitives.triangle[piece[at]], draw.coverage: np.ones(len(rows), np.uint8)}
         for name in set(values) & set(found):
             found[name].put(at, *3 * [values[name]])
 
@@ -95,10 +95,10 @@ class _Unknown:
 
     def _add_nothing(self, oracle: Result, alternatives: Alternatives) -> None:
         """Where nothing needs to be seen: what the buffers were cleared to."""
-        at = pixels_of(self.where & (self.visible.covered != MUST))
-        agrees = np.ones(len(at[0]), bool)
+        at = rows, _ = pixels_of(self.where & (self.visible.covered != MUST))
+        agrees = np.ones(len(rows), bool)
         for name in self.dumped:
-            clear = np.broadcast_to(oracle.scene.clear(name), np.atleast_3d(self.drawn.drawing.buffers[name]).shape[2])
+            clear = np.broadcast_to(oracle.scene.clear(name), _channels(self.drawn.drawing.buffers[name]))
             agrees &= self._agrees(name, at, (clear, clear))
         values = {name: np.atleast_3d(buffer.exact)[at] for name, buffer in self.blank.items()}
         alternatives.add(at, agrees, {name: (value, value) for name, value in values.items()})
@@ -109,27 +109,27 @@ class _Unknown:
         chosen = np.flatnonzero(self.where.reshape(-1)[found.pixel])
         pixel = found.pixel[chosen]
         turn = np.arange(len(pixel)) - np.searchsorted(pixel, pixel)
-        for each in range(min(turn.max(initial=-1) + 1, MOST)):
+        for each in np.unique(turn[turn < MOST]):
             number = chosen[turn == each]
             yield divmod(found.pixel[number], self.where.shape[1]), number
 
     def _add_anything(self, alternatives: Alternatives) -> None:
         """Where more pieces may be seen than were tried."""
         count = np.bincount(self.visible.found.pixel, minlength=self.where.size).reshape(self.where.shape)
-        at = pixels_of(self.where & (count > MOST))
-        channels = {name: np.atleast_3d(buffer.exact).shape[2] for name, buffer in self.blank.items()}
-        ends = {name: np.full((2, len(at[0]), count), np.inf) for name, count in channels.items()}
-        alternatives.add(at, np.ones(len(at[0]), bool), {name: (-end[0], end[1]) for name, end in ends.items()})
+        rows, columns = pixels_of(self.where & (count > MOST))
+        infinite = {name: np.full((len(rows), _channels(buffer.exact)), np.inf) for name, buffer in self.blank.items()}
+        ends = {name: (-end, end) for name, end in infinite.items()}
+        alternatives.add((rows, columns), np.ones(len(rows), bool), ends)
 
     def _add_pieces(self, at: Pixels, number: np.ndarray, alternatives: Alternatives) -> None:
         """What stands there if these candidates are seen."""
         found, draw = self.visible.found, self.drawn.this_pass.draw
-        triangle, covered = self.visible.triangle[number], np.ones(len(number))
+        triangle, covered = self.visible.triangle[number], np.ones(len(number), bool)
         depth = (np.clip(end[number], 0.0, FAR) for end in (found.low, found.high))
         of_draw = {draw.triangle: (triangle, triangle), draw.coverage: (covered, covered), draw.depth: tuple(depth)}
         ends = {name: (low[:, None], high[:, None]) for name, (low, high) in of_draw.items()}
         ends |= self._written(at, found.piece[number])
-        agrees = reduce(np.logical_and, [self._agrees(name, at, ends[name]) for name in self.dumped], covered > 0)
+        agrees = reduce(np.logical_and, [self._agrees(name, at, ends[name]) for name in self.dumped], covered)
         alternatives.add(at, agrees, {name: ends[name] for name in self.blank})
 
     def _written(self, at: Pixels, piece: np.ndarray) -> dict[str, Ends]:
@@ -144,14 +144,19 @@ class _Unknown:
         """Bool (N,): whether what was dumped of a buffer may have come from what lies between these ends."""
         held = np.atleast_3d(self.drawn.drawing.buffers[name])[at]
         given = self.drawn.drawing.before(name, held)
-        return ~((given.high < ends[0]) | (given.low > ends[1])).any(axis=-1)
+        return ~((given.high < ends[0]) | (given.low > ends[1])).any(axis=1)
+
+
+def _channels(buffer: np.ndarray) -> int:
+    """How many numbers a pixel of a buffer (H, W) or (H, W, C) has."""
+    return int(np.atleast_3d(buffer).shape[2])
 
 
 def _ends(known: Known, undefined: np.ndarray) -> Ends:
     """The ends of what a stage may write."""
     parts = components(known.bounds)
     low, high = (
-        np.stack([np.asarray(getattr(part, end), float) for part in parts], axis=-1) for end in ("low", "high")
+        np.stack([np.asarray(getattr(part, end), float) for part in parts], axis=1) for end in ("low", "high")
     )
     unknown = undefined[:, None] | np.isnan(low) | np.isnan(high)
     return np.where(unknown, -np.inf, low), np.where(unknown, np.inf, high)

@@ -177,7 +177,7 @@ def _fit(todo: Redrawing, uniforms: Mapping[str, Any], regressors: Regressors) -
     if not seen.any():
         return np.zeros(len(moves))
     smooth = seen & (bent <= np.median(bent[seen]))
-    return _trimmed(np.stack([each[smooth] for each in moves], axis=-1), off[smooth])
+    return _trimmed(np.stack([each[smooth] for each in moves], axis=1), off[smooth])
 
 
 def _trimmed(slopes: np.ndarray, off: np.ndarray) -> np.ndarray:

@@ -40,7 +40,7 @@ class Sample:
         """The shares of the wrong and of the right pixels on which these values (N, C) are what was got."""
         with np.errstate(all="ignore"):
             apart = np.abs(np.asarray(values, np.float64) - self.got)
-        return fit_of((apart <= self.reach).all(axis=-1), self.wrong)
+        return fit_of((apart <= self.reach).all(axis=1), self.wrong)
 
     @property
     def given(self) -> dict[str, Any]:

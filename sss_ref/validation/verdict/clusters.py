@@ -50,9 +50,8 @@ class Whereabouts:
         this_pass = self._mesh_pass(pass_name)
         if this_pass.name not in self._shown:
             fragments = draw(self.oracle.scene, this_pass, self.oracle.buffers, Machine()).fragments
-            assert fragments.piece is not None and fragments.primitives is not None
-            shown = fragments.primitives.triangle[fragments.piece]
-            self._shown[this_pass.name] = np.where(fragments.piece >= 0, shown, np.int32(-1))
+            primitives, piece = fragments.of_mesh
+            self._shown[this_pass.name] = np.append(primitives.triangle, np.int32(-1))[piece]
         return self._shown[this_pass.name]
 
     def at(self, pass_name: str, pixel: tuple[int, int]) -> tuple[int, ...]:

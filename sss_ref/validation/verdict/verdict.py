@@ -171,7 +171,7 @@ def _ulps_off(pixels: Compared) -> tuple[int, ...]:
 def _with_wrong_pixels(verdict: Verdict, check: Check, pixels: Compared, whereabouts: Whereabouts) -> Verdict:
     """The verdict with its first and worst wrong pixels, and where all of them lie."""
     wrong = np.flatnonzero(pixels.outcome == FAIL)
-    beyond = _beyond(pixels, wrong).max(axis=-1)
+    beyond = _beyond(pixels, wrong).max(axis=1)
     first, worst = (_wrong_pixel(check, pixels, index, whereabouts) for index in (wrong[0], wrong[beyond.argmax()]))
     where = np.zeros(check.where.shape, bool)
     where[check.where] = pixels.outcome == FAIL

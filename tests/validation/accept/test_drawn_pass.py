@@ -4,12 +4,17 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scenes import around, sphere, written
 
 from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.language.pipeline import PIXEL
+from sss_ref.rendering.result import Result
+from sss_ref.scene.load import load_scene
+from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.drawn_pass import DrawnPass, _same_bits
 from sss_ref.validation.accept.dumped import Drawing
 from sss_ref.validation.accept.known import KnownBuffer
+from sss_ref.validation.accept.rasterizer.interpolation import interpolation_slack
 
 LIT = np.float32([[1, 2], [3, 4]])
 
@@ -99,3 +104,20 @@ def test_fragments_may_be_where_a_stencil_may_be_set():
     high = np.uint8([[1, 1], [0, 0]])
     known = KnownBuffer(np.uint8([[1, 0], [0, 0]]), np.zeros((2, 2)), high, high != 1)
     assert drawn.reading({"coverage": known}).possible.tolist() == [[True, True], [False, False]]
+
+
+def test_a_varying_may_be_as_far_off_as_its_interpolation_at_that_pixel(tmp_path):
+    """At row 9 and column 5, and at row 5 and column 9: a slack is of its own row and column."""
+    path = written(tmp_path / "sphere.obj", *sphere(6))
+    scene = load_scene(around(path, 16))
+    (this_pass,) = (each for each in scene.method.passes if each.name == "shadow_map")
+    drawn = Case(Result(scene, {}, {}), Drawing({}), PROFILES["vulkan"]).drawn(this_pass)
+    rows, columns = np.array([9, 5]), np.array([5, 9])
+    known = drawn.given((rows, columns))["fragment_position"]
+    boxes, piece = drawn.visible.boxes, drawn.work.fragments.piece[rows, columns]
+    own, first = known.columns, drawn.work.fragments.varyings["fragment_position"]
+    slack = interpolation_slack(boxes, piece, columns, rows, own, slice(first, first + 3))
+    rounding = 2.0**-21 * np.abs(own.astype(np.float64)).max(axis=1)
+    assert np.allclose(known.reach, slack + rounding[:, None], rtol=1e-9, atol=0) and (known.reach < 0.1).all()
+    turned = interpolation_slack(boxes, piece, rows, columns, own, slice(first, first + 3))
+    assert (turned != slack).any(axis=1).all()

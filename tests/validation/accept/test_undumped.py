@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from right_devices import trial
+from scenes import around, written
 
 from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.rendering.fold import render
@@ -111,3 +112,23 @@ def test_a_device_that_is_right_by_chance_never_fails(tmp_path, seed):
 def test_two_hundred_of_them(tmp_path, seed):
     told, found = trial(tmp_path, seed)
     assert found.culprit is None, f"{told}: {found.summary}"
+
+
+def cone(facets):
+    """A flat cone of 64 facets towards the light, some of them twice: all meet at its tip."""
+    turn = 2 * np.pi * np.arange(64) / 64
+    rim = np.column_stack([np.cos(turn), np.sin(turn), np.zeros(64)])
+    triangles = [(0, 1 + k % 64, 1 + (k + 1) % 64) for k in range(facets)]
+    return np.concatenate([[(0.0, 0.0, 0.25)], rim]), np.array(triangles)
+
+
+@pytest.mark.parametrize(("facets", "least", "most"), [(64, 0, 63), (65, -(2**31), 2**31 - 1)])
+def test_where_more_than_64_pieces_may_be_seen_anything_may(tmp_path, facets, least, most):
+    """In the middle of a map of 9 x 9, at a distance of 4.75 or unknown."""
+    path = written(tmp_path / "cone.obj", *cone(facets))
+    oracle = render(load_scene(around(path, 9, lights=[{"position": [0.0, 0.0, 5.0]}])), "arrays")
+    triangle, distance = (known(oracle, {}, name) for name in ("light_triangle", "light_distance"))
+    assert (triangle.low[4, 4], triangle.high[4, 4]) == (least, most)
+    assert (4.7 < distance.low[4, 4] <= distance.high[4, 4] < 4.8) == (facets == 64)
+    assert np.isinf([distance.low[4, 4], distance.high[4, 4]]).all() == (facets == 65)
+    assert triangle.doubt[4, 4] and np.isfinite(np.delete(distance.high, 40)).all()

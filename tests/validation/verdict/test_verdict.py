@@ -189,9 +189,9 @@ def test_the_first_wrong_pixel_goes_by_rows_and_the_worst_by_its_distance():
 
 def test_a_pixel_beyond_its_reach_in_one_channel_is_as_wide_of_it_as_that_channel():
     reach = REACH.copy()
-    reach[1, 0] = (0, ULP / 2)
+    reach[1, 0] = (0, 2 * ULP)
     found = judged(check_of(reach=reach, where=np.array([[False] * 4, [True, False, False, False]])), Anywhere())
-    assert (found.compared, found.first.at, found.first.ulps, found.first.widths) == (1, (0, 1), 2.5, 2.5)
+    assert (found.compared, found.first.at, found.first.ulps, found.first.widths) == (1, (0, 1), 1, 0.25)
 
 
 def test_its_clusters_are_of_the_compared_pixels_and_the_wrong_ones():
@@ -221,3 +221,7 @@ def test_what_is_let_pass_is_told_of_the_sample():
 def test_without_any_doubt_nothing_of_a_verdict_is_let_pass():
     plain = verdict_of()
     assert (plain.comparable, plain.passing, plain.loose, plain.failed) == (0, 0, False, False)
+
+
+def test_of_a_single_pixel_all_is_decided():
+    assert verdict_of(compared=1, within=1).decided == 1

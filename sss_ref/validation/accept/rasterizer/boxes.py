@@ -134,7 +134,7 @@ def _distance(value: Any, ours: np.ndarray) -> np.ndarray:
     """How far the ends of intervals lie from values (V, C)."""
     exact = ours.astype(np.float64)
     low, high = (
-        np.stack([np.broadcast_to(getattr(part, end), len(ours)) for part in components(value)], axis=-1)
+        np.stack([np.broadcast_to(getattr(part, end), len(ours)) for part in components(value)], axis=1)
         for end in ("low", "high")
     )
     with np.errstate(invalid="ignore"):

@@ -32,7 +32,7 @@ def interpolation_slack(
     """
     known = Uncertain(boxes.off, boxes.rounding, boxes.weight_error, boxes.attribute_error, float(boxes.viewport.step))
     own, slack = interpolated.astype(np.float64), np.empty(interpolated.shape)
-    pixel = np.stack([column, row], axis=-1).astype(np.int64)
+    pixel = np.stack([column, row], axis=1).astype(np.int64)
     fill_slack(boxes.primitives, known, np.asarray(piece, np.int64), pixel, own, columns.start, slack)
     return slack
 
