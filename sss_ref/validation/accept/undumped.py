@@ -155,8 +155,6 @@ def _channels(buffer: np.ndarray) -> int:
 def _ends(known: Known, undefined: np.ndarray) -> Ends:
     """The ends of what a stage may write."""
     parts = components(known.bounds)
-    low, high = (
-        np.stack([np.asarray(getattr(part, end), float) for part in parts], axis=1) for end in ("low", "high")
-    )
+    low, high = (np.stack([np.asarray(getattr(part, end), float) for part in parts], axis=1) for end in ("low", "high"))
     unknown = undefined[:, None] | np.isnan(low) | np.isnan(high)
     return np.where(unknown, -np.inf, low), np.where(unknown, np.inf, high)
