@@ -116,9 +116,10 @@ def by_pixel(pixel, pixels):
 
 @compiled
 def is_inside(own_edges, column, row):
-    """Whether the oracle covers the sample with a piece of these edges (rule R3)."""
+    """Whether the oracle covers the sample with a piece of these edges (rule R3).
+
+    Nothing of one without an area: its edges sum to 0, so that not all of them can own their samples.
+    """
     e0, e1, e2 = own_edges
-    if at(e0, column, row) + at(e1, column, row) + at(e2, column, row) == 0:
-        return False
     inside = at(acceptance(e0), column, row) >= 0 and at(acceptance(e1), column, row) >= 0
     return inside and at(acceptance(e2), column, row) >= 0

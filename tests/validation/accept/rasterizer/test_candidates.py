@@ -130,13 +130,16 @@ def test_there_is_room_for_all_candidates_however_many(as_python):
     assert all(len(column) == 90 * 24 for column in columns) and columns[5].all()
 
 
+@pytest.mark.parametrize("first", range(3))
 @pytest.mark.parametrize("number", range(5))
-def test_a_sample_is_inside_by_the_rule_of_the_oracle(as_python, number):
-    primitives, _ = drawn([0.5] * 5)
+def test_a_sample_is_inside_by_the_rule_of_the_oracle(as_python, number, first):
+    """Whichever corner is the first."""
+    pieces = np.roll(PIECES, first, axis=1)
+    primitives, _ = drawn([0.5] * 5, pieces=pieces)
     own_edges = coverage.edges(primitives, number, STEP)
     for row in range(-1, HEIGHT + 2):
         for column in range(-1, WIDTH + 1):
-            assert kernels.is_inside(own_edges, column, row) == is_inside(PIECES[number], column, row)
+            assert kernels.is_inside(own_edges, column, row) == is_inside(pieces[number], column, row)
 
 
 def test_candidates_of_a_pixel_lie_side_by_side_each_as_it_came(as_python):
