@@ -21,5 +21,5 @@ def backgrounds(check: Check, drawn: DrawnPass) -> Iterator[tuple[str, float]]:
         rows, columns = np.nonzero(outside_and_wrong(check))
         written = run_stage(drawn, (rows, columns), check.buffer).written[check.buffer].columns
         got = np.atleast_3d(check.got)[rows, columns].astype(np.float64)
-        share = float((np.abs(got - written) <= np.abs(got) * CLOSE).all(axis=-1).mean())
+        share = float((np.abs(got - written) <= np.abs(got) * CLOSE).all(axis=1).mean())
         yield f"the pass draws beside its stencil, {drawn.this_pass.draw.stencil}", share

@@ -1,6 +1,7 @@
 """The JUnit file, read back: a suite a run, a case a buffer, and what a failure says."""
 
 from dataclasses import replace
+from pathlib import Path
 from xml.etree.ElementTree import parse
 
 import numpy as np
@@ -89,6 +90,12 @@ def test_a_file_that_cannot_be_written(tmp_path):
         checked_junit_file(tmp_path)
     with pytest.raises(DumpError, match=r"x\.xml: expected a file in a folder that is there, got no such folder; make"):
         checked_junit_file(tmp_path / "none" / "x.xml")
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="the system has no file that is always full")
+def test_what_keeps_it_from_being_written_is_told():
+    with pytest.raises(DumpError, match=r"^/dev/full: .* can be written, got No space left on device; choose another$"):
+        write_junit(Report((), ("lit",)), Path("/dev/full"), "a scene")
 
 
 def test_on_the_command_line(oracle, tmp_path, capsys):

@@ -6,6 +6,7 @@ import pytest
 from sss_ref.cli import main
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
+from sss_ref.validation.report import metrics
 from sss_ref.validation.report.metrics import Likeness, likeness
 
 pytest.importorskip("flip_evaluator", reason="install .[metrics]")
@@ -56,3 +57,19 @@ def test_without_the_packages(oracle, tmp_path, monkeypatch, capsys):
     assert main(["validate", "sphere", str(tmp_path), *changes, "--metrics"]) == 2
     told = "error: --metrics: expected the packages scikit-image, flip-evaluator, got not all; run pip install"
     assert capsys.readouterr().err.startswith(told)
+
+
+def test_likeness_in_words():
+    assert str(Likeness("image", 0.5, 0.25)) == "image: SSIM 0.500000, FLIP 0.250000"
+    assert str(Likeness("image", note="none")) == "image: none"
+    assert str(Likeness("image", 0.5, None, "no FLIP")) == "image: no FLIP"
+    assert str(Likeness("image", None, 0.5, "no SSIM")) == "image: no SSIM"
+
+
+def test_ssim_of_even_pictures_by_hand():
+    """(2*a*b + C) / (a^2 + b^2 + C), C = (0.01 * 255)^2 (Wang 2004), of one channel; the others are the same."""
+    ours = np.full((8, 10, 3), 100, np.uint8)
+    theirs = ours.copy()
+    theirs[..., 1] = 150
+    one = (2 * 100 * 150 + 2.55**2) / (100**2 + 150**2 + 2.55**2)
+    assert metrics._ssim(ours, theirs) == pytest.approx((1 + one + 1) / 3, rel=1e-9)  # summed in another order
