@@ -113,13 +113,14 @@ def test_a_rectangle_is_that_of_what_is_shown():
     assert told(right, got)[text] == expected.tolist()
 
 
-OFFSETS = [(8, 0), (-8, 0), (0, 8), (0, -8), (1, -1), (-2, 3), (-8, -8)]
+OFFSETS = [(8, 0), (-8, 0), (0, 8), (0, -8), (1, -1), (-1, 1), (-2, 3), (-8, -8)]
 WORDS = {
     (8, 0): "8 pixels too far up",
     (-8, 0): "8 pixels too far down",
     (0, 8): "8 pixels too far right",
     (0, -8): "8 pixels too far left",
     (1, -1): "1 pixel too far left and 1 pixel too far up",
+    (-1, 1): "1 pixel too far right and 1 pixel too far down",
     (-2, 3): "3 pixels too far right and 2 pixels too far down",
     (-8, -8): "8 pixels too far left and 8 pixels too far down",
 }
@@ -157,6 +158,11 @@ def test_of_two_offsets_that_fit_alike_the_first_is_told():
     ]
 
 
+def test_an_offset_is_told_that_brings_a_single_pixel_back():
+    found = told([[10.0, 11.0]], [[5.0, 10.0]])
+    assert found["the picture lies 1 pixel too far right: a viewport"] == [[False, True]]
+
+
 def test_the_search_for_an_offset_ends_with_its_time():
     assert not any("too far" in text for text in told(picture(), shifted(picture(), 1, 0), seconds=0))
 
@@ -171,6 +177,9 @@ def test_depths_cleared_near_hide_what_is_as_far_or_farther():
     found = told(right, hidden, case_of(depth))
     words = "nothing is drawn farther than depth 0.3: the depths were cleared to that"
     assert found[words] == [[True, False, True, True, False, True]]
+    as_far = np.float32([[1, CLEAR, 3, 4, 5, 6]])  # as deep as what is shown at the end
+    found = told(right[:, [0, 1, 5]], as_far[:, [0, 1, 5]], case_of([[0.1, 0.2, 0.2]]))
+    assert found["nothing is drawn farther than depth 0.2: the depths were cleared to that"] == [[True] * 3]
     for case, drawn in ((case_of(), got), (case_of(depth), right)):
         assert not any("depths were cleared" in text for text in told(right, drawn, case))
     where = [[False, False, True, True, True, False]]
@@ -187,6 +196,12 @@ def test_what_blending_makes_of_a_number(words):
     assert told([[2.5] * 4], [near])[text] == [[True, True, False, False]]
     assert told([[2.5] * 4], [near], reach=value * 2.0**-17)[text] == [[True] * 4]
     assert told([[[2.5, 2.5]]], [[[value, 0]]])[text] == [[False]]
+
+
+def test_nothing_multiplied_is_nothing():
+    """Where nothing may be off, what is as it is explained to be counts."""
+    text = "it is multiplied with what the target is cleared to: blending"
+    assert told([[0.0, 0.0]], [[0.0, 2.0**-20]])[text] == [[True, False]]
 
 
 def test_numbers_of_triangles_are_not_blended():

@@ -4,11 +4,17 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scenes import around, two_squares, written
 
+from sss_ref.interpret.intervals.profile import PROFILES
 from sss_ref.language.types import mat3, mat4, vec3
 from sss_ref.raster.primitives import Primitives
+from sss_ref.rendering.fold import render
+from sss_ref.scene.load import load_scene
+from sss_ref.validation.accept.case import Case
+from sss_ref.validation.accept.dumped import Drawing
 from sss_ref.validation.cause.hypothesis import INPUT, NUMBER, SETTING, STATE
-from sss_ref.validation.cause.redrawn import lies, redrawings, seen_otherwise
+from sss_ref.validation.cause.redrawn import Redrawing, lies, redrawings, seen_otherwise
 
 CLIP, OTHER, NORMALS, MODEL = "light_clip_from_model_1", "light_clip_from_model_2", "normal_matrix", "world_from_model"
 UNIFORMS = {
@@ -203,3 +209,42 @@ def test_a_viewport_that_lies_off():
                 rank, pieces = moved(f"{lies(x, y)}: a viewport or a jitter")
                 assert rank == STATE and np.array_equal(pieces.snapped, SNAPPED + np.array([x * 16, y * 16]))
                 assert pieces.snapped.dtype == np.int32
+
+
+def test_the_least_turn_is_one():
+    """Twice the area of half a square of the grid that corners snap to."""
+    least = PIECES._replace(
+        corners=np.int32([[0, 1, 2], [0, 2, 1]]), triangle=np.int32([1, 2]), snapped=np.int32([[0, 0], [1, 0], [0, 1]])
+    )
+    for words, kept in (("front faces, counter-clockwise", 2), ("back faces, clockwise", 1)):
+        _, _, (_, move) = redrawn()[f"{words} in the window, are culled"]
+        assert move(least, STEP).triangle.tolist() == [kept]
+
+
+@pytest.fixture(scope="module")
+def squares(tmp_path_factory):
+    """Two squares of two triangles each, seen by a camera of 12 x 8 pixels."""
+    path = written(tmp_path_factory.mktemp("squares") / "squares.obj", *two_squares())
+    scene = load_scene(around(path, 8), **{"camera.width": 12})
+    return render(scene, "arrays")
+
+
+def drawing(oracle, buffer):
+    """The draw of a buffer of the camera, of which all was dumped."""
+    return Redrawing(Case(oracle, Drawing(oracle.buffers), PROFILES["vulkan"]), oracle.scene.method["camera"], buffer)
+
+
+@pytest.mark.parametrize("buffer", ["triangle", "depth", "coverage", "position_world"])
+def test_with_nothing_changed_a_draw_is_the_oracles(squares, buffer):
+    """Triangle 0 is seen, and so is the background."""
+    assert {-1, 0} <= set(squares["triangle"].ravel().tolist())
+    drawn = drawing(squares, buffer).draw()
+    assert drawn.dtype == squares[buffer].dtype and np.array_equal(drawn, squares[buffer])
+    check = drawing(squares, buffer).judged({}, PROFILES["vulkan"])
+    assert check.buffer == buffer and np.array_equal(check.expected, squares[buffer])
+
+
+def test_a_draw_that_gives_no_numbers_is_drawn_all_the_same(squares):
+    nowhere = {"camera_clip_from_model": np.full((4, 4), np.nan, np.float32)}
+    assert (drawing(squares, "triangle").draw(nowhere) == -1).all()
+    assert (drawing(squares, "triangle").judged(nowhere, PROFILES["vulkan"]).expected == -1).all()

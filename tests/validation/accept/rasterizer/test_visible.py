@@ -1,6 +1,7 @@
 """Which triangles may be seen, on a few triangles whose corners are put by hand."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -14,8 +15,9 @@ from sss_ref.raster.viewport import Viewport
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.accept.acceptance import INTERPOLATION
 from sss_ref.validation.accept.rasterizer.boxes import Boxes, same_places
+from sss_ref.validation.accept.rasterizer.candidates import Candidates
 from sss_ref.validation.accept.rasterizer.interpolation import interpolation_slack
-from sss_ref.validation.accept.rasterizer.visible import MAY, MUST, MUST_NOT, visible
+from sss_ref.validation.accept.rasterizer.visible import MAY, MUST, MUST_NOT, Visible, visible
 
 SIZE = 8
 HALF = 1 / 512
@@ -227,3 +229,155 @@ def interpolated(place, primitives, sample):
 
 def cross(a, b):
     return a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+
+
+DRAW = SimpleNamespace(triangle="triangle", depth="depth", coverage="coverage")
+SEEN = {"triangle": np.int32([[7, 9, -1, -1]]), "depth": np.float32([[0.25, 0.5, 1, 1]])}  # as the oracle has it
+SEEN["coverage"] = np.uint8([[1, 1, 0, 0]])
+
+
+def by_hand():
+    """Four pixels in a row: what must be seen, twice what may be, and what must not.
+
+    At the first triangle 7 from 0.125 to 0.5, or 9 at 0.75 to 0.875, of which the oracle covers no sample; at the
+    second 9 from 0.4375 to 0.625; at the third 7 from 0.125 to 0.25.
+    """
+    rows = [  # pixel, piece, low, high, inside
+        (0, 0, 0.125, 0.5, True),
+        (0, 1, 0.75, 0.875, False),
+        (1, 1, 0.4375, 0.625, True),
+        (2, 0, 0.125, 0.25, False),
+    ]
+    pixel, piece, low, high, inside = (np.array(column) for column in zip(*rows, strict=True))
+    found = Candidates(pixel, piece.astype(np.int32), low, high, inside, inside, np.zeros(4, np.uint8))
+    boxes = SimpleNamespace(primitives=SimpleNamespace(triangle=np.int32([7, 9])), drawable=np.array([True, True]))
+    return Visible(DRAW, boxes, found, np.uint8([[MUST, MAY, MAY, MUST_NOT]]))
+
+
+def dumped(**changed):
+    """What was dumped: as the oracle has it, but for some buffers, whole rows of four."""
+    return SEEN | {name: np.array([row], SEEN[name].dtype) for name, row in changed.items()}
+
+
+def right(**changed):
+    buffers = dumped(**changed)
+    depth = exactly(buffers["depth"]) if "depth" in buffers else None
+    return {name: holds[0].tolist() for name, holds in by_hand().accepted(buffers, depth).items()}
+
+
+ALL = [True] * 4
+
+
+@pytest.mark.parametrize(
+    ("triangle", "holds"),
+    [
+        ((7, 9, -1, -1), ALL),
+        ((9, -1, 7, -1), ALL),
+        ((-1, 7, 9, 7), [False] * 4),
+        ((-7, -9, -1, 0), [False, True, True, False]),  # any number below 0 is none
+        ((0, 0, 0, -1), [False, False, False, True]),
+    ],
+)
+def test_a_number_is_that_of_a_candidate_or_none_where_nothing_need_be(triangle, holds):
+    assert right(triangle=triangle)["triangle"] == holds
+
+
+@pytest.mark.parametrize(
+    ("depth", "triangle", "holds"),
+    [
+        ((0.125, 0.4375, 0.125, 1), (7, 9, 7, -1), ALL),
+        ((0.5, 0.625, 0.25, 1), (7, 9, 7, -1), ALL),
+        ((0.0625, 0.375, 0.0625, 0.5), (7, 9, 7, -1), [False] * 4),
+        ((0.5625, 0.6875, 0.3125, 0), (7, 9, 7, -1), [False] * 4),
+        ((0.25, 1, 1, 1), (9, -1, -1, -1), [False, True, True, True]),  # that of the other triangle; nothing is seen
+        ((0.8125, 0.5, 0.1875, 1), (9, -1, -1, -1), [True, False, False, True]),  # of a triangle that is not seen
+        ((1, 1, 1, 1), (7, 9, 7, -1), [False, False, False, True]),
+    ],
+)
+def test_a_depth_is_that_of_the_triangle_beside_it(depth, triangle, holds):
+    assert right(depth=depth, triangle=triangle)["depth"] == holds
+
+
+def test_without_numbers_a_depth_is_that_of_any_candidate():
+    buffers = {"depth": np.float32([[0.8125, 1, 0.125, 0.5]])}
+    holds = by_hand().accepted(buffers, exactly(buffers["depth"]))
+    assert [*holds] == ["depth"] and holds["depth"].tolist() == [[True, True, True, False]]
+    assert by_hand().accepted({}, None) == {}
+
+
+@pytest.mark.parametrize(
+    ("coverage", "triangle", "holds"),
+    [
+        ((1, 1, 0, 0), (7, 9, -1, -1), ALL),
+        ((0, 0, 1, 1), (7, -1, 7, -1), [False, True, True, False]),
+        ((1, 0, 1, 0), (7, 9, -1, -1), [True, False, False, True]),
+        ((2, 1, 0, 0), (0, 0, -1, -1), ALL),
+    ],
+)
+def test_a_coverage_goes_with_the_number_beside_it_where_it_may_be_either(coverage, triangle, holds):
+    assert right(coverage=coverage, triangle=triangle)["coverage"] == holds
+
+
+def reach(**changed):
+    buffers = dumped(**changed)
+    return {name: each[0].tolist() for name, each in by_hand().reach(SEEN, buffers, exactly(buffers["depth"])).items()}
+
+
+def test_a_right_depth_reaches_as_far_as_its_triangle_or_to_what_was_dumped():
+    assert reach()["depth"] == [0.25, 0.125, 0, 0]
+    assert reach(depth=(0.375, 0.625, 0.25, 1), triangle=(7, 9, 7, -1))["depth"] == [0.25, 0.125, 0.75, 0]
+    assert reach(depth=(0.8125, 0.5, 1, 1), triangle=(9, 9, -1, -1))["depth"] == [0.5625, 0.125, 0, 0]
+
+
+def test_a_wrong_one_lies_beyond_its_reach():
+    """Within the reach of the right triangle, beside another one; and farther than that."""
+    found = reach(depth=(0.375, 0.375, 0.5, 0.5), triangle=(9, 9, -1, -1))["depth"]
+    assert found == [np.nextafter(0.125, -1), np.nextafter(0.125, -1), 0, 0]
+    assert reach(depth=(0.625, 1, 1, 1))["depth"] == [0.25, 0.125, 0, 0]
+
+
+def test_another_number_or_coverage_is_reached_where_it_is_right():
+    found = reach(triangle=(9, -1, 7, 7), coverage=(1, 0, 1, 1), depth=(0.8125, 1, 0.125, 1))
+    assert found["triangle"] == [2, 10, 8, 0] and found["coverage"] == [0, 1, 1, 0]
+    assert reach(triangle=(8, 9, -1, -1))["triangle"] == [0, 0, 0, 0]
+
+
+@pytest.mark.parametrize(
+    ("buffers", "pieces"),
+    [
+        ({"triangle": (7, 9, -1, -1)}, [0, 1, -1, -1]),
+        ({"triangle": (9, 7, 7, 9)}, [1, -1, 0, -1]),
+        ({}, [-1, -1, -1, -1]),
+        ({"coverage": (1, 1, 1, 1)}, [-1, -1, -1, -1]),
+    ],
+)
+def test_which_piece_a_pixel_shows(buffers, pieces):
+    """By its number; without it, where no pixel may show but one triangle: none of these."""
+    given = {name: np.array([row], SEEN[name].dtype) for name, row in buffers.items()}
+    assert by_hand().shown(given).tolist() == [pieces]
+
+
+def test_without_numbers_a_piece_is_known_where_there_is_one_and_it_must_be_seen():
+    alone = by_hand()
+    alone = replace(alone, found=Candidates(*(column[2:] for column in alone.found)))
+    certain = replace(alone, covered=np.uint8([[MUST_NOT, MUST, MUST, MUST_NOT]]))
+    assert certain.several.tolist() == [[False] * 4] and alone.several.tolist() == [[False, True, True, False]]
+    assert certain.shown({}).tolist() == [[-1, 1, 0, -1]]
+    assert certain.shown({"coverage": np.uint8([[1, 0, 1, 1]])}).tolist() == [[-1, -1, 0, -1]]
+    assert by_hand().several.tolist() == [[True, True, True, False]]
+
+
+def test_of_two_pieces_of_a_triangle_that_with_an_area_and_the_sample_is_shown():
+    """Piece 1 has no area; of 0 and 2 the one that covers the sample for the oracle counts."""
+    found = Candidates(
+        np.zeros(3, int), np.int32([0, 2, 1]), *[np.zeros(3)] * 2, np.array([True, False, True]), *[np.zeros(3)] * 2
+    )
+    boxes = SimpleNamespace(
+        primitives=SimpleNamespace(triangle=np.int32([5, 5, 5])), drawable=np.array([True, False, True])
+    )
+    one = Visible(DRAW, boxes, found, np.uint8([[MUST]]))
+    assert one.shown({"triangle": np.int32([[5]])}).tolist() == [[0]] and not one.several.any()
+    flat = replace(one, boxes=SimpleNamespace(**vars(boxes) | {"drawable": np.array([False, False, True])}))
+    assert flat.shown({"triangle": np.int32([[5]])}).tolist() == [[2]]
+    none = replace(one, boxes=SimpleNamespace(**vars(boxes) | {"drawable": np.zeros(3, bool)}))
+    assert none.shown({"triangle": np.int32([[5]])}).tolist() == [[-1]]
