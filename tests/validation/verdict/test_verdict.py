@@ -221,6 +221,7 @@ def test_what_is_let_pass_is_told_of_the_sample():
 def test_without_any_doubt_nothing_of_a_verdict_is_let_pass():
     plain = verdict_of()
     assert (plain.comparable, plain.passing, plain.loose, plain.failed) == (0, 0, False, False)
+    assert Verdict("pass", "stage", "lit", *[100] * 3, *[0] * 3, (), None).bounded == 0
 
 
 def test_of_a_single_pixel_all_is_decided():

@@ -90,7 +90,7 @@ def boxes_of(scene: Scene, this_pass: Pass, read: Mapping[str, KnownBuffer], pro
     else:
         elsewhere = cut[:, None] | (moved > step / 2 - error)  # it snaps there, or what it has not cut off
         half, off = error + step / 2, np.where(elsewhere, step, moved) + error
-    rounding = PLANE * (2 * size + _extent(centre, placed)[given].max(axis=1, initial=0.0))
+    rounding = PLANE * (2 * size + _extent(centre, placed)[given].max(axis=1))
     depth_error = ndc_error[:, Z] / 2 + ROUNDING
     same = same_places(placed)
     return Boxes(primitives, viewport, same, centre, half, off, rounding, depth_error, weight_error, attribute_error)
@@ -148,7 +148,7 @@ def _with_cut_errors(error: np.ndarray, primitives: Primitives, given: np.ndarra
     """
     cut = np.concatenate([error, np.zeros((len(placed) - len(error), 4))])
     reach = np.abs(placed.astype(np.float64)).max(axis=1)[primitives.corners].max(axis=1)
-    _raise_to(cut, primitives.corners, error[given].max(axis=1, initial=0.0) + reach[:, None] * CUT)
+    _raise_to(cut, primitives.corners, error[given].max(axis=1) + reach[:, None] * CUT)
     return np.concatenate([error, cut[len(error) :]])
 
 
@@ -164,7 +164,7 @@ def _moves_of_cuts(primitives: Primitives, centre: np.ndarray, depth: np.ndarray
     area = np.abs(x1 * y2 - x2 * y1)
     with np.errstate(divide="ignore", invalid="ignore"):
         gradient = np.hypot(z1 * y2 - z2 * y1, z1 * x2 - z2 * x1) / area
-        move = np.nan_to_num(error[primitives.corners].max(axis=1, initial=0.0) / gradient, nan=EVERYWHERE)
+        move = np.nan_to_num(error[primitives.corners].max(axis=1) / gradient, nan=EVERYWHERE)
     by_area, of_triangle = np.argsort(area), np.zeros(primitives.triangle.max(initial=0) + 1)
     of_triangle[primitives.triangle[by_area]] = move[by_area]  # the last of a triangle counts, its largest piece
     moves = np.zeros(len(centre))

@@ -38,9 +38,9 @@ class Visible:
     @cached_property
     def several(self) -> np.ndarray:
         """Bool (H, W): pixels that may show one of several triangles, or one or nothing."""
-        first = np.full(self.covered.size, -1, np.int32)
-        first[self.found.pixel[::-1]] = self.triangle[::-1]
-        return self._any(self.triangle != first[self.found.pixel]) | (self.covered == MAY)
+        some = np.zeros(self.covered.size, np.int32)
+        some[self.found.pixel] = self.triangle
+        return self._any(self.triangle != some[self.found.pixel]) | (self.covered == MAY)
 
     def _any(self, holds: np.ndarray) -> np.ndarray:
         """Bool (H, W): the pixels where something holds for a candidate."""
@@ -124,7 +124,7 @@ def visible(boxes: Boxes, draw: Draw, overlap: str, profile: Profile) -> Visible
     """What may be seen of a draw. overlap: the scene's policy for a layout, "first" or "last"."""
     turn = {"last": -1}.get(overlap, 1) if draw.layout else 0
     height, width = boxes.viewport.height, boxes.viewport.width
-    found = candidates(boxes, turn, float(step_of(depth_storage(profile), np.ones(1))[0]))
+    found = candidates(boxes, turn, float(step_of(depth_storage(profile), np.ones(()))))
     ends = certain_ends(boxes, found, turn, height * width)
     in_front = found.low <= ends[found.pixel]
     found = Candidates(*(column[in_front] for column in found))

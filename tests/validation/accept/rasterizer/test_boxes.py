@@ -23,10 +23,10 @@ def piece_of(*corners, triangle=None):
 
 
 def test_a_division_by_w_may_be_off():
-    clip = np.float32([(2, -4, 1, 2), (1, 1, 1, 2), (1, 1, 1, 0), (1, 1, 1, -1), (3, 3, 3, 2)])
+    clip = np.float32([(2, -4, 1, 2), (1, 0, 1, 2), (1, 1, 1, 0), (1, 1, 1, -1), (3, 3, 3, 2)])
     error = np.array([(0.1, 0.2, 0.3, 0.5), (0, 0, 0, 2), (1, 1, 1, 0), (0, 0, 0, 0), (0, 0, 0, 0)])
     ndc, off, weight = boxes._divided(clip, error)
-    assert ndc.tolist() == [[1, -2, 0.5], [0.5, 0.5, 0.5], [0, 0, 0], [0, 0, 0], [1.5, 1.5, 1.5]]
+    assert ndc.tolist() == [[1, -2, 0.5], [0.5, 0, 0.5], [0, 0, 0], [0, 0, 0], [1.5, 1.5, 1.5]]
     assert np.allclose(off[0], [0.6 / 1.5, 1.2 / 1.5, 0.55 / 1.5], rtol=1e-15, atol=0)
     assert off[1:].tolist() == [[np.inf] * 3, [0] * 3, [0] * 3, [0] * 3]
     assert weight.tolist() == [0.5 / 1.5, np.inf, 0, 0, 0]
@@ -44,6 +44,7 @@ def test_the_attributes_of_what_is_cut_are_as_uncertain_as_any():
     error = np.array([(1.0, 2.0), (3.0, 0.5)])
     assert boxes._of_all(error, None, 4).tolist() == [[1, 2], [3, 0.5], [3, 2], [3, 2]]
     assert boxes._of_all(error, None, 2).tolist() == error.tolist()
+    assert boxes._of_all(error / 8, None, 3)[2].tolist() == [0.375, 0.25]
 
 
 def test_how_far_an_interval_lies_from_a_value():
@@ -137,3 +138,12 @@ def test_a_vertex_that_may_be_at_the_eye_may_be_anywhere(scene):
     found = boxes_of(scene, scene.method["camera"], {}, near)
     assert (found.half < EVERYWHERE).all() and (found.depth_error > ROUNDED).all() and (found.weight_error > 0).all()
     assert (found.attribute_error > 0).any()
+
+
+def test_what_is_cut_snaps_elsewhere(scene):
+    """A cube of which the near plane cuts off all but what lies behind; each vertex that comes of it."""
+    cut_open = load_scene(scene.settings.model_dump(), **{"camera.near": 9.0})
+    found = boxes_of(cut_open, cut_open.method["camera"], {}, EXACT)
+    given, step = len(cut_open.mesh.attributes["position"]), 2.0**-EXACT.subpixel_bits
+    assert len(found.centre) > given and (found.off[given:] >= step).all() and (found.off[:given] < step).any()
+    assert (found.half[given:] > step / 2).all() and np.isfinite(found.half).all()
