@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
+from filled_scenes import are_filled_as_ever
 
 from sss_ref.scene_file.profiles import MEDIA, PROFILES, SKIN
 from sss_ref.scene_file.substances import SUBSTANCES
@@ -51,6 +52,10 @@ def test_colors_are_what_thick_bodies_reflect(name):
 @pytest.mark.parametrize("name", PRINTED)
 def test_measured_media_are_as_printed(name):
     assert (*MEDIA[name][:2], SUBSTANCES[name].color) == PRINTED[name]
+
+
+def test_profiles_are_as_ever(tmp_path):
+    are_filled_as_ever(["profiles"], tmp_path)
 
 
 def test_skin_lets_all_light_leave_again():

@@ -1,7 +1,7 @@
 import pytest
 from pydantic import ValidationError
 
-from sss_ref.scene_file.kernels import HBH09, KERNELS, SCHOENBERGER, TABLE1, channel_sums, normalized
+from sss_ref.scene_file.kernels import HBH09, normalized
 from sss_ref.scene_file.profiles import SKIN
 from sss_ref.scene_file.scattering import Blur, TranslucencySettings
 
@@ -39,19 +39,6 @@ def test_terms_of_a_sum_of_gaussians():
     for wrong in ([], [[0, 1, 1, 1]], [[1, 1, 1]], [[1, 1, 1, 1]] * 65, "water"):
         with pytest.raises(ValidationError):
             TranslucencySettings(**ONE, gaussians=wrong)
-
-
-def test_kernels_sum_to_what_their_authors_printed():
-    assert [round(s, 4) for s in channel_sums(TABLE1)] == [0.9977, 1.0494, 0.9996]
-    assert [round(s, 6) for s in channel_sums(HBH09)] == [0.998440, 1.000001, 0.999999]
-    assert [round(sum(column), 6) for column in zip(*HBH09, strict=True)][:2] == [1.400346, -2.959784]
-    assert SCHOENBERGER[0] == (0.0, 0.0, 0.220441, 0.487, 0.635) and SCHOENBERGER[1:] == HBH09[1:]
-    assert all(len(taps) == 13 for taps in KERNELS.values())
-    # The paper's table is the original cut off, not rounded, at four decimals, but for its green centre.
-    cut = [tuple(int(x * 1e4 + (1e-6 if x > 0 else -1e-6)) / 1e4 for x in row) for row in HBH09]
-    assert [row for row, printed in zip(cut, TABLE1, strict=True) if row != printed] == [
-        (0.0, 0.0, 0.2204, 0.437, 0.635)
-    ]
 
 
 def test_a_surface_is_followed_by_lengths():

@@ -1,5 +1,6 @@
 import numpy as np
 import pytest
+from filled_scenes import LAYERS, are_filled_as_ever
 from pydantic import ValidationError
 
 from sss_ref.scene_file.key_texts import key_texts
@@ -168,6 +169,10 @@ BY_PRESET = {
 def test_every_key_of_a_preset(small, preset):
     resolved = SceneFile.model_validate(filled({**small, "preset": preset}))
     assert resolved.model_dump() == {**COMMON, "preset": preset, **BY_PRESET[preset]}
+
+
+def test_layers_are_filled_as_ever(tmp_path):
+    are_filled_as_ever(LAYERS, tmp_path)
 
 
 def test_whole_numbers_become_float(small):

@@ -2,6 +2,7 @@ from typing import get_args
 
 import numpy as np
 import pytest
+from filled_scenes import MATERIALS, are_filled_as_ever
 
 import sss_ref
 from sss_ref.errors import SceneError
@@ -13,6 +14,10 @@ from sss_ref.scene_file.substances import SUBSTANCES, kernel_of, layer_of
 
 def test_every_name_has_a_material_and_its_sum():
     assert set(get_args(MaterialName)) == set(SUBSTANCES) == set(PROFILES)
+
+
+def test_materials_fill_in_as_ever(tmp_path):
+    are_filled_as_ever(MATERIALS, tmp_path)
 
 
 def test_a_material_lies_between_the_preset_and_the_file():

@@ -3,7 +3,7 @@
 python tests/support/filled_scenes.py > tests/scene_file/filled.txt
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -15,23 +15,37 @@ LEAST = {"camera": {"type": "orbit", "distance": 3}, "lights": [{"position": [0,
 FLYING = {"camera": {"type": "free", "position": [0, 0, 4]}}
 PARALLEL = {"camera": {"type": "orthographic", "eye": [0, 0, 4], "view_height": 3}}
 SUN = {"lights": [{"type": "directional", "position": [0, 0, 4]}]}
-SCENES: dict[str, dict[str, Any]] = {
+PRESETS: dict[str, dict[str, Any]] = {
     "paper": {},
     "robust": {"preset": "robust"},
     "robust in mm": {"preset": "robust", "mm_per_unit": 100},
     "robust, preintegrated": {"preset": "robust", "mm_per_unit": 100, "method": "preintegrated"},
     "published": {"preset": "published", "lights": [{"position": [0, 0, 4], "type": "point"}]},
+}
+VIEWPOINTS = {
     "look_at": {"camera": {"type": "look_at", "eye": [0, 0, 4]}},
     "free": FLYING,
     "orthographic": PARALLEL,
     "directional": SUN,
-    "a layer": {"mm_per_unit": 100, "layers": [{"path": "model.obj", "extinction_per_mm": [0.1, 0.2, 0.3]}]},
-    "a material on a layer": {
-        "mm_per_unit": 100,
-        "layers": [{"path": "model.obj", "material": "enamel", "extinction_per_mm": [0.1, 0.2, 0.3]}],
-    },
-    **{f"material {name}": {"material": name, "mm_per_unit": 100} for name in SUBSTANCES},
 }
+LAYER: dict[str, Any] = {"path": "model.obj", "extinction_per_mm": [0.1, 0.2, 0.3]}
+LAYERS: dict[str, dict[str, Any]] = {
+    "a layer": {"mm_per_unit": 100, "layers": [LAYER]},
+    "a material on a layer": {"mm_per_unit": 100, "layers": [{**LAYER, "material": "enamel"}]},
+}
+MATERIALS = {f"material {name}": {"material": name, "mm_per_unit": 100} for name in SUBSTANCES}
+SCENES = {**PRESETS, **VIEWPOINTS, **LAYERS, **MATERIALS}
+EXPECTED = Path(__file__).parents[1] / "scene_file" / "filled.txt"
+
+
+def are_filled_as_ever(names: Iterable[str], folder: Path) -> None:
+    """Hold parts to what scene files were written for: where a default is meant to change, the head of this says how.
+
+    folder: an empty one.
+    """
+    expected = dict(zip(parts(), EXPECTED.read_text("utf-8").split("\n\n"), strict=True))
+    for name in names:
+        assert part(name, folder) == expected[name].strip()
 
 
 def parts() -> list[str]:
