@@ -41,7 +41,7 @@ def _in_binary(path: Path, data: bytes) -> Polygons:
     facets = np.frombuffer(data, FACET, declared, HEADER) if behind >= 0 else np.zeros(0, FACET)
     notes = (f"it declares {declared} triangles, {behind} bytes follow: they are not used",) if behind > 0 else ()
     points = facets["corners"].reshape(-1, 3).astype(np.float64)
-    return Polygons(points, np.full(declared if behind >= 0 else 0, 3), np.arange(len(points)), notes=notes)
+    return Polygons(points, np.full(len(facets), 3), np.arange(len(points)), notes=notes)
 
 
 def _in_text(path: Path, data: bytes) -> Polygons:

@@ -112,7 +112,7 @@ def wholes(text: bytes, count: int, otherwise: int) -> NDArray[np.int64]:
     """
     numbers = _read(text, count, np.int64)
     if numbers is None:
-        return _one_by_one(text, WHOLE, _within_64_bits, otherwise).astype(np.int64)
+        return _one_by_one(text, WHOLE, _whole, otherwise).astype(np.int64)
     return numbers
 
 
@@ -156,7 +156,5 @@ def _one_by_one(
     return np.array([reading(word) if form.fullmatch(word) else otherwise for word in text.split()])
 
 
-def _within_64_bits(word: bytes) -> int:
-    if len(word) > 20:
-        return np.iinfo(np.int64).max if word[:1] != b"-" else np.iinfo(np.int64).min
-    return max(min(int(word), np.iinfo(np.int64).max), np.iinfo(np.int64).min)
+def _whole(word: bytes) -> int:
+    return int(np.fromstring(word, np.int64, sep=" ")[0])

@@ -49,7 +49,9 @@ SAME = {
     "a byte-order mark": b"\xef\xbb\xbf" + text().encode(),
     "zeros behind the end": text() + "\0" * 90,
     "a zero in the name": text(name=" t\0"),
+    "a zero in the last byte of what may be a header": text(name=f" {'t' * 73}\0"),
     "blank lines first": "\n\n  " + text(),
+    "as many blanks first as are looked at": " " * 1019 + text(),
     "forms of numbers": text().replace("vertex 1 0 0", "vertex +1.0E+00 0. .0"),
     "normals that are none": text().replace("normal 0 0 0", "normal nan 1 9"),
     "binary": binary(),
@@ -84,6 +86,17 @@ REFUSED = {
     "none declared": (
         binary(count=0),
         "expected at least one triangle, got a file that declares 0 triangles, 200 bytes follow" + AGAIN,
+    ),
+    "none declared, and a byte behind": (
+        binary(count=0)[:84] + b"\1",
+        "expected at least one triangle, got a file that declares 0 triangles, 1 bytes follow" + AGAIN,
+    ),
+    "a header alone": (binary()[:84], "expected the 4 triangles it declares, of 50 bytes each, got 0 bytes" + AGAIN),
+    "less than a header": (binary()[:83], NO_TRIANGLE),
+    "a first word beyond what is looked at": (
+        " " * 1020 + text(),
+        f"expected the {int.from_bytes(b'    ', 'little')} triangles it declares, of 50 bytes each, "
+        f"got {1020 + len(text()) - 84} bytes" + AGAIN,
     ),
     "cut short": (binary()[:-1], "expected the 4 triangles it declares, of 50 bytes each, got 199 bytes" + AGAIN),
     "nothing in it": (binary(count=0)[:84], NO_TRIANGLE),

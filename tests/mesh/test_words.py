@@ -1,5 +1,7 @@
 """Words of a text and the numbers they are."""
 
+import time
+
 import numpy as np
 import pytest
 
@@ -76,6 +78,23 @@ def test_whole_numbers():
 def test_whole_numbers_beyond_64_bits_are_far_beyond_every_index(word):
     for text, count in ((word, 1), (f"{word} x", 2)):
         assert abs(float(wholes(text.encode(), count, 0)[0])) == 2.0**63
+
+
+@pytest.mark.parametrize("word", [b"0" * 30 + b"7", b"-" + b"0" * 30 + b"7", b"00000000000000000003"])
+def test_zeros_in_front_of_a_whole_number(word):
+    assert wholes(word, 1, 0).tolist() == [int(word)] and wholes(word + b" x", 2, -1).tolist() == [int(word), -1]
+
+
+def test_many_numbers_are_read_at_once():
+    """One by one, as where a word is none, it takes about ten times as long."""
+
+    def seconds(text):
+        begin = time.process_time()
+        floats(text, 20000)
+        return time.process_time() - begin
+
+    at_once, one_by_one = (min(seconds(b"0.125 " * 19999 + last) for _ in range(5)) for last in (b"1", b"x"))
+    assert at_once < one_by_one / 2
 
 
 def test_names_are_utf_8_or_latin_1():

@@ -53,6 +53,7 @@ def test_before_near():
     before = "the whole mesh lies before near = 1, up to 0.5; set camera.near = "
     assert told([*across(0.25)[:2], (0, 0, -0.5)], near) == f"{before}0.225"
     assert told([(0, 0, 3), (0.1, 0, -0.1), (0, 0, -0.5)], near) == f"{before}0.0005"
+    assert told([(0, 0, 3), (0.1, 0, -0.1), (0, 0, -0.998)], near).endswith(", up to 0.998; set camera.near = 0.000998")
 
 
 @pytest.mark.parametrize("lens", [PERSPECTIVE, Orthographic(16.0)])
@@ -96,6 +97,19 @@ def test_a_share_of_a_small_picture_is_enough():
     assert told(across(2, x=0.01, y=0.19), small).startswith("the mesh is 0.95 of its 20 x 10 pixels wide; ")
 
 
+def test_a_tenth_of_the_picture_is_not_small():
+    """At distance 2.5 the picture is 10 wide: a mesh of 1 is a tenth of it, two pixels."""
+    assert told([(0, 0, -2.5), (1, 0, -2.5), (0, 0.125, -2.5)], view((20, 10), near=1.0)) == ""
+
+
+def test_a_mesh_beside_the_eye_is_not_said_to_be_small():
+    """Parallel rays show it small as well, but it may be cut off by near."""
+    small = [(0, 0, 0), (0.001, 0, -1), (0, 0.001, -1)]
+    parallel = view(lens=Orthographic(16.0))
+    assert told(small, parallel) == ""
+    assert told([(x, y, z - 0.25) for x, y, z in small], parallel).startswith("the mesh is 0.008 of its 256 x 128 ")
+
+
 def test_a_mesh_around_the_eye_is_not_said_to_be_small():
     assert told([(0, 0, 1), (0.001, 0, -1), (0, 0.001, -1)]) == ""
     assert told([(-0.001, 0, -0.5), (0.001, 0, -0.5), (0, 0.001, -0.5)]).startswith("the mesh is 0.26 of its ")
@@ -113,7 +127,12 @@ def test_what_frames_a_sphere(size, taller):
     assert framing(eye, nearer) == f"fov_y = {60 * taller}"
     around = Bounds(BALL.low, BALL.high, np.array([0, 0, 0.5]), 1 / MARGIN)
     assert framing(eye, around) == f"fov_y = {180 * taller}"
-    assert framing(view(size, lens=Orthographic(9.0)), nearer) == f"view_height = {2 * taller}"
+    larger = Bounds(BALL.low, BALL.high, nearer.centre, 4 / MARGIN)
+    assert framing(view(size, lens=Orthographic(9.0)), larger) == f"view_height = {8 * taller}"
+    elsewhere = View("camera", np.array([0, 1.0, 5]), np.zeros(3), np.array([0, 1.0, 0]), PERSPECTIVE, 1, 16, *size)
+    assert (
+        framing(elsewhere, Bounds(BALL.low, BALL.high, np.array([0, 1.0, 3]), 1 / MARGIN)) == f"fov_y = {60 * taller}"
+    )
 
 
 def test_a_free_camera_is_turned_by_its_angles():

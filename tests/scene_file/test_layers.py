@@ -42,6 +42,13 @@ def test_what_a_preset_has_of_lights_lies_below_every_light():
     assert filled({"preset": "published", "lights": "one"})["lights"] == "one"
 
 
+def test_a_camera_of_parallel_rays_has_all_but_the_angle_of_a_preset():
+    common = {"near": 0.001, "far": 1000, "width": 1600, "height": 900}
+    for kind, angle in (("orthographic", {}), ("free", {"fov_y": 45})):
+        camera = filled({"preset": "published", "camera": {"type": kind}})["camera"]
+        assert camera == {"type": kind, **common, **angle}
+
+
 def test_overrides_by_dotted_key_and_as_tables():
     data = {"camera": {"width": 1, "height": 2}, "lights": [{"intensity": 1.0}]}
     result, problems = overridden(data, {"camera.width": 8, "camera": {"far": 9}, "lights.0.intensity": 2.0, "a.b": 1})
@@ -70,6 +77,8 @@ def test_a_place_that_is_overridden_replaces_the_other_way_to_say_it():
     ]
     assert lights(**{"lights.0.distance": 5, "lights.1.color": 6}) == [{**orbit, "distance": 5}, {**point, "color": 6}]
     assert lights(**{"lights.0.position": 5, "lights.0.azimuth": 6}) == [{**orbit, "azimuth": 6, "position": 5}, point]
+    assert lights(**{"lights.1.position": 5}) == [orbit, {**point, "position": 5}]
+    assert lights(**{"lights.0": 8, "lights.1.color": 6}) == [8, {**point, "color": 6}]
     assert data == {"lights": [orbit, point, 7]}
 
 
@@ -86,3 +95,7 @@ def test_which_values_are_overridden():
     assert paths == {("camera", "width"), ("phong", "ambient"), ("lights", 0, "position")}
     assert is_overridden(("lights", 0, "position", 2), paths)
     assert not is_overridden(("camera", "height"), paths)
+
+
+def test_a_number_of_ten_digits_is_no_place_of_an_array():
+    assert override_paths({"a.123456789": 1, "a.1234567890": 1}) == {("a", 123456789), ("a", "1234567890")}

@@ -3,6 +3,7 @@ import pytest
 from filled_scenes import LAYERS, are_filled_as_ever
 from pydantic import ValidationError
 
+from sss_ref.scene_file import settings
 from sss_ref.scene_file.key_texts import key_texts
 from sss_ref.scene_file.layers import filled
 from sss_ref.scene_file.settings import MeshSettings, SceneFile
@@ -201,3 +202,42 @@ def test_a_table_that_was_read_does_not_change():
     table = MeshSettings(**COMMON["mesh"])
     with pytest.raises(ValidationError, match="frozen"):
         table.unwrap = True
+
+
+def test_the_body_inside_is_seen_as_if_it_were_the_mesh(small):
+    """At the same place, with its own colour, highlight and translucency, and without the mesh's pictures."""
+    mesh = {"path": "outer", "scale": 2.0, "unwrap": True, "texture": "a", "normal_map": "b", "specular_map": "c"}
+    layer = {"path": "inner", "color": [0.1, 0.2, 0.3], "extinction_per_mm": [1, 2, 3], "phong": {"ambient": 0.5}}
+    given = {**small, "mm_per_unit": 4.0, "mesh": mesh, "layers": [{**layer, "translucency": {"scale": 0.25}}]}
+    scene = SceneFile.model_validate(filled(given))
+    inner = scene.inner
+    bare = {"texture": None, "normal_map": None, "specular_map": None, "unwrap": False}
+    own = {"path": "inner", "color": (0.1, 0.2, 0.3), **bare}
+    assert inner.mesh.model_dump() == {**scene.mesh.model_dump(), **own}
+    assert (inner.phong.ambient, inner.translucency.scale, inner.layers) == (0.5, 0.25, ())
+    assert (inner.camera, inner.mm_per_unit) == (scene.camera, 4) and inner.inner is None
+
+
+@pytest.mark.parametrize("method", ["screen_space", "texture_space", "separable"])
+@pytest.mark.parametrize("mask", ["none", "output", "taps"])
+def test_light_leaves_the_model_where_the_blur_of_the_picture_has_no_mask(small, method, mask):
+    scene = SceneFile.model_validate(filled({**small, "method": method, "blur": {"mask": mask}}))
+    assert scene.glows == ((method, mask) == ("screen_space", "none"))
+
+
+@pytest.mark.parametrize(("height", "fits"), [(5461, True), (5462, False)])
+def test_pictures_take_no_more_than_four_gibibytes(small, monkeypatch, tmp_path, height, fits):
+    """12 bytes a texel: 16384 x 16384 take 3 GiB; 16384 x 5461.33 the fourth."""
+    sizes = {tmp_path / "a.png": (16384, height), tmp_path / "b.png": (16384, 16384)}
+    for path in sizes:
+        path.write_bytes(b"")
+    monkeypatch.setattr(settings, "texture_size", sizes.__getitem__)
+    mesh = {**small["mesh"], "texture": "a.png", "normal_map": "b.png"}
+    data, context = filled({**small, "mesh": mesh}), {"folder": tmp_path}
+    if fits:
+        assert SceneFile.model_validate(data, context=context).mesh.texture == "a.png"
+        return
+    with pytest.raises(ValidationError) as caught:
+        SceneFile.model_validate(data, context=context)
+    ((where, said),) = [(each["loc"], each["msg"]) for each in caught.value.errors()]
+    assert "normal_map" in f"{where} {said} {caught.value.errors()[0]}" and "at most 4 GiB of pictures" in said
