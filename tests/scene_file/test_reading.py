@@ -6,6 +6,8 @@ from sss_ref.errors import SceneError
 from sss_ref.scene import load_scene
 from sss_ref.scene.catalogue import METHODS, TECHNIQUES
 from sss_ref.scene_file.kernels import TABLE1
+from sss_ref.scene_file.layers import filled
+from sss_ref.scene_file.reading import Document, validated
 
 
 def problems(scene, **overrides):
@@ -225,3 +227,25 @@ def test_a_wrong_angle_of_a_light_is_one_problem(small):
     """Its position is not asked for: who writes an angle means an orbit."""
     small["lights"] = [{"azimuth": "north", "distance": 9}]
     assert problems(small) == [f'scene: lights[0].azimuth: expected a number, got "north"; {NUMBER}']
+
+
+@pytest.mark.parametrize(
+    ("key", "given", "before", "now", "other"),
+    [
+        ("preset", "robust", "paper", "robust", "preset"),
+        ("material", "milk", "wax", "milk", "material"),
+        ("layers.0.material", "enamel", "dentine", "enamel", "material"),
+    ],
+)
+def test_a_bundle_stays_with_what_has_filled_it(small, tmp_path, key, given, before, now, other):
+    layer = {"path": "tetrahedron", "extinction_per_mm": [1, 1, 1], "material": "dentine"}
+    data = filled({**small, "preset": "paper", "material": "wax", "mm_per_unit": 2.0, "layers": [layer]})
+    bundle = Document(data, "b", tmp_path, "paper")
+    assert validated(bundle, {}).material == "wax"
+    assert validated(bundle, {"preset": "paper", "layers.0.material": "dentine"}).preset == "paper"
+    with pytest.raises(SceneError) as caught:
+        validated(bundle, {key: given})
+    remedy = f"bundle the scene with the other {other}"
+    where = key.replace(".0", "[0]")
+    assert str(caught.value) == f"override: {where}: expected {before}, which filled this bundle, got {now}; {remedy}"
+    assert validated(Document(data, "b", tmp_path), {key: given})

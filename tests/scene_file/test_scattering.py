@@ -56,6 +56,11 @@ def test_taps_stay_within_reach_in_their_own_unit():
     with pytest.raises(ValidationError, match="taps within 16384 pixels"):
         Blur(kernel=far, pixel_scale=9, mask="none")
     assert Blur(kernel=far, pixel_scale=9, unit="mm", mask="none").reach == 2000  # where pixel_scale says nothing
+    for unit, scale in (("pixel", 2), ("mm", 9)):
+        farthest = 8192 if unit == "pixel" else 16384
+        assert Blur(kernel=[[0, -farthest, 1, 1, 1]], pixel_scale=scale, unit=unit, mask="none").reach == farthest
+        with pytest.raises(ValidationError, match=r"taps within 16384 pixels \(the farthest is at"):
+            Blur(kernel=[[0, -farthest - 0.5, 1, 1, 1]], pixel_scale=scale, unit=unit, mask="none")
 
 
 def test_taps_of_a_blur():

@@ -118,7 +118,7 @@ class Accessors:
         if stride < size or (stretch.tight and stride != size):
             expected = f"a byteStride of {'at least ' * (not stretch.tight)}{size} in {place}"
             raise self._document.refused(user, expected, str(stride))
-        if stretch.offset % unit or (stretch.offset + view.byteOffset) % unit or stride % unit:
+        if stretch.offset % unit or view.byteOffset % unit or stride % unit:
             came = f"byteOffset {stretch.offset} in {place}, which starts at {view.byteOffset}, stride {stride}"
             raise self._document.refused(user, f"components that are aligned to {unit} bytes", came)
         end = stretch.offset + (stretch.count - 1) * stride + size

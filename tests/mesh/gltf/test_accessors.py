@@ -289,3 +289,14 @@ def test_work_is_bounded(tmp_path, monkeypatch):
     assert refusal(builder, tmp_path) == f"nodes: {expected}"
     monkeypatch.setattr(accessors, "BUDGET", 3 * 17)
     assert len(builder.loaded(tmp_path).triangles) == 12
+
+
+def test_an_accessor_has_no_more_elements_than_may_be_read_in_all(tmp_path, monkeypatch):
+    """Of a tetrahedron that is drawn nowhere else: 12 corners, 4 vertices."""
+    monkeypatch.setattr(accessors, "BUDGET", 11)
+    assert refusal(tetrahedron(), tmp_path) == (
+        "meshes[0].primitives[0].indices: expected at most 11 elements, got 12; simplify the mesh"
+    )
+    monkeypatch.setattr(accessors, "BUDGET", 12)
+    expected = "expected at most 12 vertices and corners over all nodes, got more; simplify the mesh"
+    assert refusal(tetrahedron(), tmp_path) == f"nodes: {expected}"
