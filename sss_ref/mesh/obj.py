@@ -180,7 +180,7 @@ class _ObjReader:
         head = faces.heads[number]
         came = self._shown(head)
         words = [self.words[corner] for corner in faces.corners[face == number]]
-        if faces.sizes[number] >= 3 and all(REFERENCES.fullmatch(w) and int(w.split(b"/")[0][:20]) for w in words):
+        if faces.sizes[number] >= 3 and all(REFERENCES.fullmatch(w) and w.split(b"/")[0].strip(b"+-0") for w in words):
             raise MeshError(told(str(self.path), f"faces of the vertices 1 to {last} that the file has", came, AGAIN))
         raise MeshError(told(str(self.path), "faces of at least three vertices, numbered from 1", came, AGAIN))
 

@@ -88,7 +88,7 @@ def _check_corners(path: Path, polygons: Polygons) -> None:
         ends = np.cumsum(polygons.sizes)
         face = int(np.searchsorted(ends, bad[0], side="right"))
         indices = polygons.corner[ends[face] - polygons.sizes[face] : ends[face]].tolist()
-        came = f"{indices[:8] if len(indices) > 8 else indices} in face {face} ({len(bad)} corners in all)"
+        came = f"{indices[:8]} in face {face} ({len(bad)} corners in all)"
         raise refused(path, f"vertex indices from 0 to {last}", came, "export the mesh again")
 
 

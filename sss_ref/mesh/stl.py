@@ -72,5 +72,5 @@ def _begins_or_ends_a_solid(words: Words) -> Mask:
     """Which lines are `solid`, `endsolid` or `end solid`, whose other words are a name."""
     heads = words.heads
     second = np.minimum(heads + 1, len(words) - 1)
-    end = words.are(b"end", heads) & (words.counts > 1) & words.are(b"solid", second)
+    end = words.are(b"end", heads) & words.are(b"solid", second)
     return words.are(b"solid", heads) | words.are(b"endsolid", heads) | end

@@ -36,6 +36,7 @@ SAME = {
     "forms of numbers": V.replace("v 1 0", "v +1.e0 .0").replace("v 0 1 0", "v 0 10e-1 -0.").replace(" 0\n", " 0E5\n")
     + F,
     "colours": V.replace("\n", " .5 .25 nan\n") + F,
+    "five numbers": V.replace("\n", " 1 .5\n") + F,
     "seven numbers": V.replace("\n", " 1 .5 .25 1\n") + F,
     "weights of 1": V.replace("\n", " 1.0\n") + F,
     "empty UVs": V + F.replace(" ", "/ ").replace("f/", "f").replace("\n", "/\n"),
@@ -93,6 +94,13 @@ MIXED = {
 def test_uvs_that_some_corner_lacks_are_noted(tmp_path, name):
     mesh = loaded(tmp_path, "a.obj", V + MIXED[name])
     assert mesh.uvs is None and mesh.notes == ("UVs not used: the file does not give them for every corner",)
+
+
+@pytest.mark.parametrize("lines", ["vn 0 0 1\nf 1 2 3\n", "f 1//1 2//1 3//1\n"])
+def test_normals_that_no_corner_has_are_noted(tmp_path, lines):
+    mesh = loaded(tmp_path, "a.obj", V + lines)
+    assert mesh.normals_source == "computed"
+    assert mesh.notes == ("normals computed: the file does not give them for every corner",)
 
 
 def test_concave_polygons(tmp_path):
@@ -181,6 +189,22 @@ REFUSED = {
 def test_what_is_no_face(tmp_path, name):
     lines, expected = REFUSED[name]
     assert refusal(tmp_path, "a.obj", V + lines) == expected + AGAIN
+
+
+def test_the_first_number_that_is_not_finite_is_told_before_words_that_are_none(tmp_path):
+    """A weight or a colour behind it may be anything."""
+    lines = "v 0 nan 1 red\nv x 0 0\nf 1 5 6\n"
+    expected = "expected positions that are finite in float32, got [0.0, nan, 1.0] at vertex 4 (2 in all); correct them"
+    assert refusal(tmp_path, "a.obj", V + lines) == expected
+
+
+def test_a_uv_of_no_number(tmp_path):
+    expected = "expected UVs that are finite in float32, got [nan, nan] at vertex 0 (1 in all); correct them"
+    assert refusal(tmp_path, "a.obj", V + "vt\nf 1/1 2/1 3/1\n") == expected
+
+
+def test_an_empty_first_line_is_a_line(tmp_path):
+    assert refusal(tmp_path, "a.obj", f"\n{V}f 1 2 9\n") == THERE + '"f 1 2 9" in line 6' + AGAIN
 
 
 def test_vertices_that_no_face_uses_may_be_anything(tmp_path):

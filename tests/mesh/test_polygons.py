@@ -43,6 +43,16 @@ def test_corners_that_differ_in_a_uv_are_two_vertices():
     assert found.triangles.tolist() == [[3, 0, 1], [4, 1, 2]]
 
 
+def test_another_position_with_another_uv_is_another_vertex():
+    """Of five positions and two UVs: the first with the second UV, the third with the first, and so on."""
+    chosen = [1, 0, 1, 1, 0, 0]
+    uvs = Attribute(np.array([(0, 0), (1, 1)], float), np.array(chosen))
+    found, _ = part(corner=np.array([0, 2, 1, 3, 4, 1]), uvs=uvs)
+    assert found.positions[found.triangles].tolist() == SQUARE[[0, 2, 1, 3, 4, 1]].reshape(2, 3, 3).tolist()
+    assert found.uvs[found.triangles][:, :, 0].reshape(-1).tolist() == chosen
+    assert len(found.positions) == 6
+
+
 def test_corners_that_differ_in_a_normal_alone():
     found, _ = part(
         uvs=Attribute(np.zeros((1, 2)), np.zeros(6, int)),

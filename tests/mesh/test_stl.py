@@ -27,6 +27,7 @@ def binary(header=b"x", count=4, behind=b"", normal=(0, 0, 0), attribute=0):
     return header.ljust(80, b"\0") + struct.pack("<I", count) + facets + behind
 
 
+ON_ONE_LINE = " ".join(map(facet, FACES)).replace("\n", " ")
 SAME = {
     "text": text(),
     "end solid": text(end="end solid t\n"),
@@ -37,6 +38,9 @@ SAME = {
     "capitals": text().upper(),
     "mixed letters": text().title(),
     "keywords in the name": text(name=" vertex 1 2 3 endloop", end="endsolid vertex 1 2 3 endloop\n"),
+    "keywords in the name of end solid": text(end="end solid vertex 1 2 3 endloop\n"),
+    "end facet on a line with the next": "solid\n" + ON_ONE_LINE.replace("endfacet", "\nend facet"),
+    "# before a loop": "solid\n" + ON_ONE_LINE.replace("outer loop", "# outer loop"),
     "# in the name": text(name=" part #1"),
     "Latin-1 in the name": text(name=" Kopf\u00e4").encode("latin-1"),
     "several solids": "".join(f"solid {k}\n{facet(face)}endsolid {k}\n" for k, face in enumerate(FACES)),

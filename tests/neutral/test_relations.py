@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 from scenes import around, cube, written
 
+from sss_ref.errors import SceneError
 from sss_ref.neutral import relations
 from sss_ref.neutral.artists import ReferenceArtist
 from sss_ref.neutral.comparison import Pair, pairs
 from sss_ref.neutral.relations import RELATIONS, Easel
-from sss_ref.neutral.trial import NeutralTrial
+from sss_ref.neutral.trial import NeutralTrial, neutral
 from sss_ref.scene.load import load_scene
 
 LIGHTS = [{"position": [2, 1, 2.5], "intensity": 4.0}, {"position": [-2, 1, 2.5], "intensity": 3.0}]
@@ -141,6 +142,25 @@ def test_the_pictures_passes_are_drawn_on_a_larger_one(easel):
     assert drawn == [(8, 8, "blur"), (21, 17, "blur"), (8, 8, "composite"), (21, 17, "composite")] * 2
 
 
+class Copying(Noting):
+    """Whatever the pass, it writes what lies in lit."""
+
+    def one(self, scene, this_pass, buffers):
+        return dict.fromkeys(this_pass.outputs, buffers["lit"])
+
+
+@pytest.mark.parametrize("name", ["a larger picture", "a moved picture"])
+def test_what_a_pass_writes_lies_where_the_old_picture_does(easel, name):
+    """Drawn are those passes alone of which every buffer is there: the blur, and nothing that reads what it writes."""
+    scene = easel().scene
+    lit = np.full((8, 8, 3), scene.clear("lit"), np.float32)
+    lit[1:7, 1:7] = np.arange(6 * 6 * 3).reshape(6, 6, 3) + 1
+    needed = scene.method["blur"].needs & set(scene.method.outputs)
+    buffers = {each: lit if each == "lit" else np.full((8, 8), scene.clear(each)) for each in needed}
+    (pair,) = RELATIONS[name](Easel(scene, Copying(buffers), buffers))
+    assert pair.buffer == "scattered" and pair.before.tolist() == pair.after.tolist() == lit.tolist()
+
+
 @pytest.mark.parametrize("place", [(0, 3), (7, 3), (3, 0), (3, 7), (0, 0), (7, 7)])
 def test_what_reaches_an_edge_is_left_out(easel, place):
     scene = easel().scene
@@ -192,6 +212,36 @@ def test_a_pair_differs_in_shape_or_in_any_bit():
 )
 def test_an_outcome_is_a_sentence(trial, told):
     assert str(trial) == told
+
+
+class Wavering(Noting):
+    """The second time it draws otherwise."""
+
+    def again(self, scene):
+        return {name: buffer + 1 for name, buffer in self.buffers.items()}
+
+
+def test_changes_are_tried_in_their_order_or_those_alone_that_are_asked_for(easel):
+    given = easel()
+    two = [*neutral(given.scene, given.artist, ["the image alone", "drawn again"])]
+    assert [(each.name, each.compared, each.broken) for each in two] == [
+        ("drawn again", 2, ""),
+        ("the image alone", 2, ""),
+    ]
+    assert two[1].says == "No buffer but the image is asked for."
+    assert [kept for _, kept in given.artist.drawn] == ["all", "again", "final"]
+    assert [each.name for each in neutral(given.scene, given.artist)] == list(RELATIONS)
+    (alone,) = neutral(given.scene, Wavering(given.buffers), ["drawn again"])
+    assert (alone.compared, alone.not_tried) == (2, "") and alone.broken.startswith("lit, first at pixel 0,0")
+    (none,) = neutral(given.scene, given.artist, ["lights swapped"])
+    assert (none.compared, none.broken, none.not_tried) == (0, "", "the scene has not two lights but 1")
+
+
+def test_a_change_that_nobody_knows(easel):
+    given = easel()
+    with pytest.raises(SceneError, match=r"neutral: expected one of drawn again, .*, got twice as larg; did you mean"):
+        next(neutral(given.scene, given.artist, ["drawn again", "twice as larg"]))
+    assert given.artist.drawn == []
 
 
 def test_the_reference_draws_a_pass_as_the_whole_scene(easel):

@@ -73,6 +73,16 @@ def test_a_rotation_about_no_axis_of_the_coordinates(tmp_path):
     assert loaded.positions == pytest.approx(turned, abs=1e-6)
 
 
+@pytest.mark.parametrize(("length", "is_one"), [(0.99, True), (1.01, True), (0.9899, False), (1.0101, False)])
+def test_a_quaternion_is_one_hundredth_longer_or_shorter_than_1_at_most(tmp_path, length, is_one):
+    builder = placed([{"rotation": [0, 0, length, 0]}])
+    if is_one:
+        turned = builder.loaded(tmp_path).positions
+        assert turned == pytest.approx(np.float32([[0, 0, 0], [-1, 0, 0], [0, -1, 0], [0, 0, 1]]), abs=1e-6)
+    else:
+        assert "expected a quaternion of length 1, got" in refusal(builder, tmp_path)
+
+
 def test_matrix_is_stored_by_columns(tmp_path):
     matrix = [0, 2, 0, 0, -3, 0, 0, 0, 0, 0, 4, 0, 1, 2, 3, 1]
     loaded = placed([{"matrix": matrix}]).loaded(tmp_path)
