@@ -12,8 +12,12 @@ COMB = [(0, 0), (7, 0), (7, 3), (6, 1), (5, 3), (4, 1), (3, 3), (2, 1), (1, 3)] 
 FRAME = [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0), (1, 1), (1, 3), (3, 3), (3, 1), (1, 1)]  # a hole and its bridge: 12
 T_JUNCTION = [(0, 0), (1, 0), (2, 0), (2, 2), (1, 1), (0, 2)]  # a corner on an edge, and a reflex one: 3
 SPIKE = [(4, 0), (5, 5), (3, 5), (3, 1), (3, 4), (3, 3), (0, 2)]  # along itself and back; some corners touch: 11
+NEEDLE = [(2, 0), (3, 2), (1, 2), (1, 0), (1, 3), (0, 0)]  # down to an edge and back up: 4.5
+SHUT = [(2, 1), (2, 0), (3, 3), (2, 2), (1, 3), (1, 0), (1, 2)]  # its reflex corners lie on the others' edges: 2
 SHAPES = {
     "spike": (SPIKE, 11),
+    "needle": (NEEDLE, 4.5),
+    "shut": (SHUT, 2),
     "L": (L, 3),
     "dart": (DART, 1),
     "comb": (COMB, 13.5),

@@ -5,12 +5,14 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from bodies import body
 from scenes import around, cube, sphere, written
 
 from sss_ref.mesh.mesh_file import load_mesh
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
-from sss_ref.scene.surprises import _far_light, _is_far
+from sss_ref.scene.placed_mesh import PlacedMesh
+from sss_ref.scene.surprises import _far_light, _is_far, surprises_inside
 from sss_ref.view.light_fit import Bounds
 
 
@@ -218,7 +220,8 @@ def test_a_light_too_far_from_a_large_mesh_that_lies_aside(falloff, fainter):
 
 
 @pytest.mark.parametrize(
-    ("distance", "radius", "told"), [(2.0**16, 4.0, False), (2.0**17, 4.0, True), (2.0**17, 8.0, False)]
+    ("distance", "radius", "told"),
+    [(2.0**16, 4.0, False), (2.0**17, 4.0, True), (2.0**17, 8.0, False), (2.0**16, 3.90625, False)],
 )
 def test_a_spacing_of_a_thousandth_of_the_diameter_is_too_coarse(distance, radius, told):
     """From 2^16 on numbers are 2^-7 = 0.0078 apart, from 2^17 on 0.0156; the mesh is 8 or 16 thick."""
@@ -230,3 +233,15 @@ def test_a_spacing_of_a_thousandth_of_the_diameter_is_too_coarse(distance, radiu
 @pytest.mark.parametrize(("away", "is_far"), [(400.0, False), (400.5, True), (-401.0, True)])
 def test_far_from_the_origin_is_a_hundred_radii(away, is_far):
     assert _is_far(Bounds(AROUND.low, AROUND.high, np.array([0, away, 0]), 4.0)) == is_far
+
+
+@pytest.mark.parametrize("out", [0, 1, 2])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_layer_reaches_out_where_one_of_its_corners_does(out, sign):
+    outer = PlacedMesh(body([(-1, -1, -1), (1, 1, 1), (1, -1, 1)]), np.eye(4))
+    corners = np.array([(-0.5, -0.5, -0.5), (0.5, 0.5, 0.5), (0.5, -0.5, 0.5)])
+    assert [*surprises_inside(outer, PlacedMesh(body(corners), np.eye(4)))] == []
+    corners[(sign + 1) // 2, out] = 1.5 * sign
+    assert [*surprises_inside(outer, PlacedMesh(body(corners), np.eye(4)))] == [
+        "layers[0]: it reaches out of the mesh, and beside that is not seen; give one that lies inside"
+    ]

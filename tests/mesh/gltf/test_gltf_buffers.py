@@ -178,3 +178,23 @@ def test_unused_views_are_not_looked_at(tmp_path):
     builder = GltfBuilder(bufferViews=["broken"], accessors=[{"sparse": 3}], animations=[{"samplers": [{"input": 0}]}])
     builder.add("meshes", {"primitives": [builder.primitive()]})
     assert np.array_equal(builder.loaded(tmp_path).positions, CORNERS)
+
+
+def test_a_view_that_is_compressed_as_well_is_read_where_its_bytes_are_there(tmp_path):
+    """They are those of the GLB's chunk; without a chunk there is nothing but what is compressed."""
+    builder = tetrahedron()
+    for view in builder.tables["bufferViews"]:
+        view["extensions"] = {"EXT_meshopt_compression": {}}
+    assert np.array_equal(builder.loaded(tmp_path, "a.glb").positions, CORNERS)
+    (tmp_path / "a.gltf").write_text(json.dumps(builder.document({})))
+    expected = "expected uncompressed data, got EXT_meshopt_compression alone; export it without compression"
+    assert message(tmp_path / "a.gltf").partition(": ")[2] == expected
+
+
+def test_an_empty_chunk_is_one(tmp_path):
+    """It holds no bytes, and is where a buffer without a uri has to be."""
+    text = json.dumps(tetrahedron().document({})).encode()
+    (tmp_path / "a.glb").write_bytes(glb(text, b""))
+    size = len(tetrahedron().binary)
+    expected = f"buffers[0]: expected the {size} bytes it declares, got 0; copy or export it again"
+    assert message(tmp_path / "a.glb") == expected

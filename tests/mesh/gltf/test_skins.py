@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from gltf_files import CORNERS, GltfBuilder, corners, refusal, volume
 
+from sss_ref.mesh.gltf import accessors
 from sss_ref.mesh.gltf.skins import _for_normals
 
 AGAIN = "; export the mesh again"
@@ -52,6 +53,23 @@ def test_the_bind_matrix_comes_before_the_joint(tmp_path):
     )
 
 
+def test_each_joint_has_its_own_bind_matrix(tmp_path):
+    """Half way between (1, 2, 3) + (8, 0, 0) and (5, 4, 1)."""
+    binds = [moves(1, 2, 3), moves(5, 4, 1)]
+    builder = skinned([{}, {"translation": [8, 0, 0]}, {}], BOTH, HALF, binds, skin=[1, 2])
+    assert np.array_equal(builder.loaded(tmp_path).positions, CORNERS + np.float32([7, 3, 2]))
+
+
+def test_what_hangs_on_joints_is_counted(tmp_path, monkeypatch):
+    """A node, 4 vertices and 12 corners, a joint, and of each vertex four joints and their weights."""
+    builder = skinned([{}, {"translation": [10, 0, 0]}])
+    monkeypatch.setattr(accessors, "BUDGET", 1 + 4 + 12 + 1 + 8 * 4)
+    assert len(builder.loaded(tmp_path).triangles) == 4
+    monkeypatch.setattr(accessors, "BUDGET", accessors.BUDGET - 1)
+    expected = "expected at most 49 vertices and corners over all nodes, got more; simplify the mesh"
+    assert refusal(builder, tmp_path) == f"nodes: {expected}"
+
+
 @pytest.mark.parametrize("dtype", [np.float32, np.uint8, np.uint16])
 def test_weights(tmp_path, dtype):
     """Each vertex between two joints, in floats and in whole numbers that sum to the largest."""
@@ -88,6 +106,8 @@ def test_joints_that_mirror(tmp_path):
     assert volume(skinned([{}, {"scale": [-1, 1, 1]}]).loaded(tmp_path)) == pytest.approx(1 / 6)
     assert volume(skinned([{"scale": [-1, 1, 1]}, {}]).loaded(tmp_path)) == pytest.approx(1 / 6)
     joints = np.uint8([[0] * 4, [0] * 4, [1] * 4, [1] * 4])
+    third = {"rotation": [0.5, 0.5, 0.5, 0.5]}  # of a turn: x becomes y, y z and z x
+    assert volume(skinned([{}, third]).loaded(tmp_path)) == pytest.approx(1 / 6)
     mixed = skinned([{}, {"scale": [-1, 1, 1]}, {}], joints, skin=[1, 2])
     assert refusal(mixed, tmp_path) == f"{PLACE}: expected joints that all mirror or none, got both{AGAIN}"
 
@@ -165,6 +185,10 @@ BAD = {
         "skins[0].inverseBindMatrices: expected finite matrices with the last row [0, 0, 0, 1], got another",
     ),
     "no such node": (skinned([{}, {}], skin=[5]), "skins[0].joints[0]: expected the number of one of the nodes, got 5"),
+    "the node behind the last": (
+        skinned([{}, {}], skin=[2]),
+        "skins[0].joints[0]: expected the number of one of the nodes, got 2",
+    ),
     "no joint": (skinned([{}, {}], skin=[]), "skins[0].joints: expected at least 1 values, got []"),
 }
 
