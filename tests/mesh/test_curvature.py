@@ -28,10 +28,28 @@ def test_what_is_flat_is_not_bent():
 
 def test_by_hand():
     # The normals turn by (0, 0, 1) and (1, 0, 0) along the edges: 1 + 1 + 2 over 9 + 16 + 25.
+    # The other triangle has no size, whatever its normals are.
     points = np.float64([(0, 0, 0), (3, 0, 0), (0, 4, 0), (0, 0, 0)])
     normals = np.float64([(0, 0, 0), (0, 0, 1), (1, 0, 0), (0, 5, 0)])
-    triangles = np.int32([(0, 1, 2), (3, 3, 3)])
+    triangles = np.int32([(0, 1, 2), (0, 3, 3)])
     assert triangle_curvatures(points, normals, triangles).tolist() == [np.sqrt(4 / 50), 0]
+
+
+def test_squares_are_added_in_their_order():
+    """Of the edges that end at the first, the second and the third corner, each x, y, z: the bits are those."""
+    points, normals = np.random.default_rng(5).normal(size=(2, 90, 3))
+
+    def squared(corners):
+        total = None
+        for end, start in ((0, 2), (1, 0), (2, 1)):
+            x, y, z = (float(each) for each in corners[end] - corners[start])
+            square = (x * x + y * y) + z * z
+            total = square if total is None else total + square
+        return total
+
+    triangles = np.arange(90, dtype=np.int32).reshape(30, 3)
+    expected = [np.sqrt(squared(normals[each]) / squared(points[each])) for each in triangles]
+    assert triangle_curvatures(points, normals, triangles).tolist() == expected
 
 
 def test_a_vertex_has_the_mean_of_its_triangles_by_area_across_seams():
@@ -53,4 +71,6 @@ def test_between_vertices_it_is_a_plane():
     for plane, corners in zip(planes, triangles, strict=True):
         np.testing.assert_allclose(points[corners] @ plane[:3] + plane[3], values[corners], rtol=1e-9)
     flat = np.repeat(points[:1], 3, axis=0)
-    assert over_triangles(values[:3], flat, np.int32([(0, 1, 2)])).tolist() == [[0, 0, 0, values[0]]]
+    for given in ([1.0, 2, 4], [4.0, 2, 1]):
+        found = over_triangles(np.array(given), flat, np.int32([(0, 1, 2)]))
+        assert found.tolist() == [[0, 0, 0, given[0]]] and not np.signbit(found).any()
