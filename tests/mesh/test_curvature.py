@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scenes import cube, sphere
 
-from sss_ref.mesh.curvature import over_triangles, triangle_curvatures, vertex_curvatures
+from sss_ref.mesh.curvature import over_triangles, triangle_curvatures, unit_rows, vertex_curvatures
 from sss_ref.mesh.normals import vertex_normals
 
 
@@ -61,6 +61,38 @@ def test_a_vertex_has_the_mean_of_its_triangles_by_area_across_seams():
     found = vertex_curvatures(points.astype(np.float32), points, normals, triangles)
     np.testing.assert_allclose(found[[0, 3]], (12 * sharp + 4 * blunt) / 16, rtol=1e-15)
     np.testing.assert_allclose(found[[1, 4, 6]], [sharp, blunt, 0], rtol=1e-15)
+
+
+def crossed(a, b):
+    (x, y, z), (p, q, r) = a, b
+    return [y * r - z * q, z * p - x * r, x * q - y * p]
+
+
+def dotted(a, b):
+    return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]
+
+
+@pytest.mark.parametrize("size", [1.0, 0.01, 300.0])
+def test_planes_have_the_bits_of_the_formula(size):
+    """One triangle after the other, with Python's numbers."""
+    random = np.random.default_rng(6)
+    points, values = random.normal(size=(60, 3)) * size, random.random(60)
+    triangles = np.arange(60, dtype=np.int32).reshape(20, 3)
+    found = over_triangles(values, points, triangles)
+    for plane, (p0, p1, p2), (k0, k1, k2) in zip(
+        found, points[triangles].tolist(), values[triangles].tolist(), strict=True
+    ):
+        e1, e2 = ([y - x for x, y in zip(p0, end, strict=True)] for end in (p1, p2))
+        n = crossed(e1, e2)
+        raised = [x * (k1 - k0) + y * (k2 - k0) for x, y in zip(crossed(e2, n), crossed(n, e1), strict=True)]
+        g = [each / dotted(n, n) for each in raised]
+        assert plane.tolist() == [*g, k0 - dotted(g, p0)]
+
+
+def test_rows_of_length_1():
+    rows = np.array([(3.0, 4, 12), (0, 0, 0), (0, -0.5, 0), (1, 1, 1)])
+    third = 1 / np.sqrt(3.0)
+    assert unit_rows(rows).tolist() == [[3 / 13, 4 / 13, 12 / 13], [0, 0, 0], [0, -1, 0], [third, third, third]]
 
 
 def test_between_vertices_it_is_a_plane():
