@@ -14,13 +14,11 @@ ENOUGH = 1e-14
 
 
 def half_space_reflectance(albedo: float, cosine: float = 1.0) -> float:
-    """The share of light that leaves again; albedo below 1, cosine above 0."""
-    if albedo <= 0:
-        return 0.0
+    """The share of light that leaves again; albedo from 0 to below 1, cosine above 0."""
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
     nodes, weights = (nodes + 1) / 2, weights / 2
     kept = math.sqrt(1 - albedo)
-    h, change = np.ones(NODES), 1.0
+    h, change = np.ones(NODES), math.inf
     for _ in range(ITERATIONS):
         if change < ENOUGH:
             break

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from sss_ref.scene_file.kernels import HBH09, Tap
 from sss_ref.truth.searchlight import RadialProfile
-from sss_ref.truth.small_feature import energy_within
+from sss_ref.truth.small_feature import covered, energy_within
 
 FloatArray = NDArray[np.float64]
 OFFSETS = np.hypot([tap[0] for tap in HBH09], [tap[1] for tap in HBH09])
@@ -56,8 +56,7 @@ class _Feature:
 
     def of_taps(self, scale: float) -> FloatArray:
         """The same of each tap alone, with weight 1 (taps, circles)."""
-        one = np.ones(1)
-        return np.array([energy_within(np.array([scale * at]), one, self.disc, self.circles) for at in OFFSETS])
+        return np.array([covered(scale * OFFSETS, self.disc, circle) for circle in self.circles]).T
 
     def misplaced(self, scale: float, weights: FloatArray) -> float:
         """The largest difference of the energy within a circle."""

@@ -36,7 +36,7 @@ class TransmittanceFit:
 
     def y(self, mm_per_unit: float) -> float:
         """The power of BASE that gives the factor, for thicknesses in scene units."""
-        return math.log2(self.factor * mm_per_unit**-self.exponent) / math.log2(BASE)
+        return math.log2(self.factor * mm_per_unit**-self.exponent)  # BASE is 2
 
 
 def fitted_transmittance(

@@ -20,3 +20,10 @@ def test_the_share_within_a_radius_is_the_integral_of_the_density():
     inside = (density * 2 * math.pi * radius).sum() * 4 / 100_000
     assert fit.within(4.0) == pytest.approx(inside, rel=1e-8)  # of the midpoint rule
     assert fit.within(fit.quantile(0.9)) == pytest.approx(0.9, abs=1e-15)
+
+
+def test_nothing_leaves_within_no_radius_and_all_within_a_wide_one():
+    fit = burley_fit(0.8, 2.0)
+    assert fit.quantile(0.0) < 1e-50 and fit.within(0.0) == 0
+    assert fit.within(fit.quantile(1 - 1e-12)) == pytest.approx(1 - 1e-12, abs=1e-15)
+    assert fit.quantile(1.0) < 120 * fit.width  # 3 * 53 ln 2 of them are a rounding of 1

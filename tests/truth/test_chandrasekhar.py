@@ -33,3 +33,11 @@ def test_little_scattering_is_single_scattering():
 def test_near_albedo_one_all_comes_back():
     assert 0.99 < half_space_reflectance(1 - 1e-6) < 1
     assert half_space_reflectance(0.99) < diffuse_half_space_reflectance(0.99) < 1
+
+
+def test_values_of_now():
+    """As 64 nodes have them; 100 change the ninth digit where light comes in flat."""
+    found = [half_space_reflectance(albedo, cosine) for albedo, cosine in ((0.9, 0.5), (0.3, 1.0), (0.999, 0.1))]
+    assert found == pytest.approx([0.5079389069380649, 0.057214350601037856, 0.9607743245157788], rel=1e-12)
+    assert diffuse_half_space_reflectance(0.5) == pytest.approx(0.14654438070226872, rel=1e-12)
+    assert half_space_reflectance(0.0, 0.5) == diffuse_half_space_reflectance(0.0) == 0

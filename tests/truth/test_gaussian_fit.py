@@ -39,3 +39,23 @@ def test_of_skin():
         assert abs(0.5 - weights @ -np.expm1(-(middle**2) / (2 * rows[:, 0]))) < misplaced + 1e-3  # four digits of v
     profile = [list(row) for row in found.rows]
     assert load_scene("sphere", method="gaussian_texture", **{"diffusion.profile": profile})
+
+
+def test_few_photons_give_the_same_rows():
+    """Six weights to six digits and a variance to four, of 400 photons; what is said to be off is so."""
+    found = fitted_gaussians([searchlight(volume, 400, diffuse=True) for volume in volumes("skin1")])
+    assert [row[0] for row in found.rows] == [0.0001232, 0.001293, 0.01357, 0.1424, 1.494, 15.68]
+    assert np.array(found.rows)[:, 1:] == pytest.approx(
+        np.array(
+            [
+                (0.02594, 0.052035, 0.096226),
+                (0.0, 0.0, 0.0),
+                (0.04934, 0.089929, 0.208384),
+                (0.165654, 0.358126, 0.355976),
+                (0.348947, 0.404671, 0.339415),
+                (0.410119, 0.095239, 0.0),
+            ]
+        ),
+        abs=1.5e-6,
+    )
+    assert found.misplaced == pytest.approx([0.0321293449, 0.0576938066, 0.0748057004], abs=1e-9)

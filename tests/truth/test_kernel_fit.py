@@ -40,3 +40,27 @@ def test_twice_the_lengths_are_twice_the_scale(skin):
     one, two = skin[1.3], fitted_kernel([searchlight(volume, 30_000) for volume in half])
     assert two.mm_per_offset == pytest.approx(2 * one.mm_per_offset, rel=1e-9)  # all other roundings
     assert two.misplaced == pytest.approx(one.misplaced, rel=1e-6)
+
+
+def test_few_photons_give_the_same_kernel():
+    """Of 400 photons; a weight for the middle and one for each of three rings of points."""
+    found = fitted_kernel([searchlight(volume, 400, diffuse=True) for volume in volumes("skin1")])
+    assert (found.disc, found.mm_per_offset) == pytest.approx((0.931349584541489, 0.9548290849613026), rel=1e-9)
+    assert found.misplaced == pytest.approx([0.0616200973, 0.0472036418, 0.0335046183], abs=1e-9)
+    assert found.published_mm == pytest.approx([1.2382601253, 2.2709790829, 2.9450955025], abs=1e-9)
+    assert found.published_misplaced == pytest.approx([0.1254421803, 0.1358743404, 0.1346033359], abs=1e-9)
+    weights = np.array(found.taps)[:, 2:]
+    middle, near, between, far = weights[0], weights[3], weights[1], weights[7]
+    assert np.array([middle, near, between, far]) == pytest.approx(
+        np.array(
+            [
+                (0.000487, 0.000007, 0.001111),
+                (0.097208, 0.179775, 0.226162),
+                (0.122246, 0.112533, 0.089433),
+                (0.056858, 0.020512, 0.008684),
+            ]
+        ),
+        abs=1.5e-6,
+    )
+    assert {tuple(row) for row in weights} == set(map(tuple, (middle, near, between, far)))
+    assert weights[4].tolist() == weights[5].tolist() == near.tolist()

@@ -105,3 +105,100 @@ def test_what_is_no_record_is_refused(tmp_path, content, line):
     path.write_text(content)
     with pytest.raises(SceneError, match=line):
         volumes_of(str(path))
+
+
+def changed(table, **values):
+    """GLTF with other values in one of its tables."""
+    return {**GLTF, table: {**GLTF[table], **values}}
+
+
+def test_what_a_gltf_material_leaves_out():
+    """Black, and the usual index of refraction; the draft's name comes second."""
+    bare = {key: value for key, value in GLTF.items() if key != "KHR_materials_ior"} | {"KHR_materials_scatter": {}}
+    found = volumes_of_gltf(bare)
+    assert all(volume.ior == 1.5 and volume.anisotropy == 0 for volume in found)
+    assert [v.scattering for v in found] == pytest.approx([0, 0, 0], abs=1e-4)
+    assert volumes_of_gltf({**GLTF, "KHR_materials_volume_scatter": {}}) == volumes_of_gltf(GLTF)
+
+
+def test_what_openpbr_leaves_out():
+    """Its own defaults: .8 of white, (1, .5, .25) of a length of 1."""
+    red, green, blue = volumes_of_openpbr({})
+    lengths = [1 / (v.scattering + v.absorption) for v in (red, green, blue)]
+    assert lengths == pytest.approx([1, 0.5, 0.25], rel=1e-12) and (red.ior, red.anisotropy) == (1.5, 0)
+    assert [v.absorption * length for v, length in zip((red, green, blue), lengths, strict=True)] == pytest.approx(
+        [volumes_of_openpbr({"subsurface_color": [0.8] * 3})[0].absorption] * 3, rel=1e-12
+    )
+
+
+def test_what_scatters_forward_by_the_formula():
+    """albedo = (1 - s^2) / (1 - g s^2) in both formats."""
+    one, other = (volumes_of_gltf(changed("KHR_materials_scatter", scatterAnisotropy=g))[1] for g in (0.0, 0.5))
+    square = one.absorption / (one.absorption + one.scattering)
+    assert other.scattering / (other.absorption + other.scattering) == pytest.approx(
+        (1 - square) / (1 - 0.5 * square), rel=1e-12
+    )
+    assert other.anisotropy == 0.5
+
+
+@pytest.mark.parametrize("lightest", [1.0, 0.9999999])
+def test_the_whitest_body_absorbs_a_millionth(lightest):
+    volume = volumes_of_openpbr({"subsurface_color": [lightest] * 3})[0]
+    assert volume.absorption / (volume.scattering + volume.absorption) == pytest.approx(1e-6, rel=1e-9)
+
+
+@pytest.mark.parametrize("color", [[0, 0, 0], [1, 1, 1]])
+@pytest.mark.parametrize("distance", [0.002, 0.0, -1.0])
+def test_light_that_is_not_dimmed_is_refused(color, distance):
+    """As is what is dimmed at once, or backwards."""
+    with pytest.raises(SceneError) as error:
+        volumes_of_gltf(changed("KHR_materials_volume", attenuationColor=color, attenuationDistance=distance))
+    assert str(error.value) == (
+        "material: expected attenuation in all channels, got none; give attenuationColor and attenuationDistance"
+    )
+
+
+@pytest.mark.parametrize("distance", [0.0, -0.002])
+def test_a_length_of_nothing_is_refused(distance):
+    with pytest.raises(SceneError, match="expected attenuation in all channels, got none"):
+        volumes_of_gltf(changed("KHR_materials_volume", attenuationDistance=distance))
+
+
+@pytest.mark.parametrize("g", [-0.99, 0.99])
+def test_how_far_light_may_be_scattered_forward_and_back(g):
+    assert volumes_of_openpbr({"subsurface_scatter_anisotropy": g})[0].anisotropy == g
+
+
+@pytest.mark.parametrize(
+    ("record", "line"),
+    [
+        ({"subsurface_scatter_anisotropy": -1}, "anisotropy: expected a number between -1 and 1, got -1.0; correct it"),
+        ({"specular_ior": True}, "specular_ior: expected a number of at most 1e+30, got true; correct it"),
+        ({"specular_ior": -2e30}, "specular_ior: expected a number of at most 1e+30, got -2e+30; correct it"),
+        (
+            {"subsurface_color": [0.5, 0.5]},
+            "subsurface_color: expected three numbers from 0 to 1, got [0.5,0.5]; correct it",
+        ),
+        (
+            {"subsurface_color": [True, 0, 0]},
+            "subsurface_color: expected three numbers from 0 to 1, got [true,0,0]; correct it",
+        ),
+        (
+            {"subsurface_color": [0.5, -0.1, 0]},
+            "subsurface_color: expected three numbers from 0 to 1, got [0.5,-0.1,0]; correct it",
+        ),
+        (
+            {"subsurface_radius_scale": [1, 0, 1]},
+            "subsurface_radius: expected more than 0 in all channels, got none; enlarge it",
+        ),
+    ],
+    ids=str,
+)
+def test_numbers_that_mean_nothing_are_refused(record, line):
+    with pytest.raises(SceneError) as error:
+        volumes_of_openpbr(record)
+    assert str(error.value).replace(", ", ",").endswith(line.replace(", ", ","))
+
+
+def test_the_largest_number_is_taken():
+    assert volumes_of_openpbr({"specular_ior": 1e30})[0].ior == 1e30

@@ -2,6 +2,8 @@
 
 import math
 import os
+import threading
+import time
 import zipfile
 
 import numpy as np
@@ -11,6 +13,7 @@ from boxes import looking_down, parallel_light, write_box
 from sss_ref.errors import SceneError
 from sss_ref.numerics.random_numbers import new_stream
 from sss_ref.scene.load import load_scene
+from sss_ref.truth import radiance
 from sss_ref.truth.media import volumes
 from sss_ref.truth.path import survived
 from sss_ref.truth.photon import REFLECTED, TRANSMITTED, Volume
@@ -284,3 +287,28 @@ def test_a_mesh_turned_inside_out_is_the_same_body(tmp_path):
 def test_what_cannot_be_traced_is_refused(scene, border, line):
     with pytest.raises(SceneError, match=line):
         Tracing(load_scene(scene), volumes("skin1"), border)
+
+
+@pytest.mark.parametrize(("asked", "used"), [(1, 1), (2, 2), (None, 3)])
+def test_so_many_threads_share_the_rows(sphere, monkeypatch, asked, used):
+    """As many at a time as are asked for, else one per processor: none goes on before all are there."""
+    seen, all_there = set(), threading.Barrier(used)
+
+    def wait(*_):
+        seen.add(threading.get_ident())
+        all_there.wait(10)
+        time.sleep(0.01)
+
+    monkeypatch.setattr(os, "cpu_count", lambda: 3)
+    monkeypatch.setattr(radiance, "gather_row", wait)
+    short = Tracing(load_scene("sphere", **SMALL | {"camera.height": 6}), sphere.volumes)
+    found = nothing_gathered(short).more(2, asked)
+    assert len(seen) == used and found.samples == 2
+
+
+def test_time_that_is_over_ends_it_after_a_sample(sphere, monkeypatch):
+    """The clock is looked at before each but the first: at 0, 1, 2 and 3 s."""
+    monkeypatch.setattr(radiance, "gather_row", lambda *_: None)
+    for seconds, samples in ((0.5, 1), (1.0, 1), (1.5, 2), (3.5, 4), (math.inf, 5)):
+        monkeypatch.setattr(time, "monotonic", iter(range(9)).__next__)
+        assert nothing_gathered(sphere).more(5, seconds=seconds).samples == samples

@@ -4,11 +4,12 @@ import math
 
 import numpy as np
 import pytest
+from lit_boxes import parallel, scenery
 
 from sss_ref.scene.load import load_scene
 from sss_ref.truth.box_tree import LEAF, box_tree_of
 from sss_ref.truth.media import volumes
-from sss_ref.truth.rays import NO_TRIANGLE, crossing, inside_length, nearest, normal
+from sss_ref.truth.rays import NO_TRIANGLE, crossing, inside_length, meets, nearest, normal, steepness
 from sss_ref.truth.tracing import Tracing
 
 NUMBERS = np.random.default_rng(3)
@@ -94,3 +95,73 @@ def test_some_rays_leave_the_bust_more_than_once(bust):
         every = [crossing(bust, triangle, (0.0, -0.7, 0.0), direction)[0] for triangle in range(len(bust.corner))]
         counts.append(sum(distance >= 0 for distance in every))
     assert max(counts) >= 3
+
+
+ONE = box_tree_of(np.array([[[0.0, 0, 0], [2, 0, 0], [0, 2, 0]]]))
+ASKEW = box_tree_of(np.array([[[1.0, 2, 3], [3.0, 3, 2], [0.0, 5, 5]]]))
+DOWN, UP = (0.0, 0.0, -1.0), (0.0, 0.0, 1.0)
+
+
+@pytest.mark.parametrize("at", [(0, 0), (2, 0), (0, 2), (1, 0), (0, 1), (1, 1), (0.5, 0.25)])
+def test_corners_and_edges_belong_to_a_triangle(at):
+    assert crossing(ONE, 0, (*map(float, at), 3.0), DOWN) == (3, 4)  # twice its area times the cosine
+    assert crossing(ONE, 0, (*map(float, at), -3.0), UP) == (3, -4)
+    assert crossing(ONE, 0, (*map(float, at), 0.0), DOWN) == (0, 4)
+
+
+@pytest.mark.parametrize("at", [(-0.01, 1), (1, -0.01), (1.01, 1), (3, -1), (-1, 3)])
+def test_beside_its_edges_a_triangle_is_not_met(at):
+    assert crossing(ONE, 0, (*map(float, at), 3.0), DOWN) == (-1, 4)
+
+
+def test_a_ray_along_a_triangle_does_not_meet_it():
+    assert crossing(ONE, 0, (0.5, -1.0, 0.0), (0.0, 1.0, 0.0)) == (-1, 0)
+    assert crossing(ONE, 0, (0.5, 0.5, 3.0), UP) == (-3, -4)  # behind
+
+
+def test_a_triangle_askew_is_met_where_its_edges_say():
+    """A quarter of one edge (2, 1, -1) and half of the other (-1, 3, 2) from its corner, two steps (1, -2, 4) off."""
+    assert crossing(ASKEW, 0, (-1.0, 7.75, -4.25), (1.0, -2.0, 4.0)) == (2, -39)
+    assert crossing(ASKEW, 0, (3.0, -0.25, 11.75), (-1.0, 2.0, -4.0)) == (2, 39)
+    assert normal(ASKEW, 0) == pytest.approx(np.array([5, -3, 7]) / math.sqrt(83), abs=1e-15)
+
+
+def test_what_a_ray_starts_on_is_as_near_as_can_be():
+    assert nearest(ONE, (0.5, 0.5, 0.0), DOWN, math.inf, True) == (0, 0)
+    assert nearest(ONE, (0.5, 0.5, 3.0), DOWN, 3.0, True) == (3, NO_TRIANGLE)
+
+
+@pytest.mark.parametrize(("component", "steep"), [(2.0, 0.5), (-0.25, -4.0), (0.0, 1e300), (1e-301, 1e300)])
+def test_how_far_a_step_along_an_axis_is(component, steep):
+    assert steepness(component) == steep
+
+
+CUBE = scenery(parallel(UP)).tree  # of 12 triangles, -1 to 1
+
+
+@pytest.mark.parametrize(
+    ("origin", "direction", "limit", "is_met"),
+    [
+        ((0.0, 0.0, 5.0), DOWN, math.inf, True),
+        ((0.0, 0.0, 5.0), DOWN, 4.0, True),
+        ((0.0, 0.0, 5.0), DOWN, 3.99, False),
+        ((0.0, 0.0, -5.0), DOWN, math.inf, False),
+        ((0.0, 0.0, 0.0), DOWN, 0.5, True),
+        ((0.0, 0.0, 1.0), UP, math.inf, True),  # on its border
+        ((-1.0, -1.0, 5.0), DOWN, math.inf, True),  # along an edge: of two boxes side by side one has it
+        ((1.0, -1.0, 5.0), DOWN, math.inf, False),
+        ((-1.0, 1.0, 5.0), DOWN, math.inf, False),
+        ((1.5, 0.0, 5.0), DOWN, math.inf, False),
+        ((0.0, 0.0, 5.0), (0.3, 0.0, -1.0), math.inf, False),  # beside it after 3.3, as high after 4
+        ((0.0, 0.0, 5.0), (0.2, -0.2, -1.0), math.inf, True),
+    ],
+)
+def test_which_rays_meet_a_box(origin, direction, limit, is_met):
+    assert meets(CUBE, 0, origin, tuple(map(steepness, direction)), limit) == is_met
+
+
+@pytest.mark.parametrize(("limit", "length"), [(math.inf, 1.75), (3.0, -1.0), (2.75, 0.75), (0.8, 0.75), (0.75, -1.0)])
+def test_the_way_through_two_boxes(limit, length):
+    """From .25 to 1 and from 3 to 4; not known to a point inside, nor to one on a border."""
+    tree = scenery(parallel(UP), ends=(((-1, -1, -1), (1, 1, 1)), ((-1, -1, 3), (1, 1, 4)))).tree
+    assert inside_length(tree, (0.1, 0.2, 0.25), UP, limit) == length

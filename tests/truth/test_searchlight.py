@@ -1,6 +1,7 @@
 """The half-space against exact results, and against what others have published of it."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from sss_ref.truth.chandrasekhar import diffuse_half_space_reflectance, half_spa
 from sss_ref.truth.dipole import dipole, dipole_density, dipole_reflectance
 from sss_ref.truth.media import volumes
 from sss_ref.truth.photon import REFLECTED, Setup, Volume
-from sss_ref.truth.searchlight import RadialProfile, diffusion_length, rings, searchlight
+from sss_ref.truth.searchlight import RadialProfile, beam, diffusion_length, rings, searchlight
 from sss_ref.truth.tally import Walk, nothing_walked
 
 FEW, MANY = 60_000, 4_000_000
@@ -116,3 +117,50 @@ def test_light_fades_over_its_diffusion_length():
     assert diffusion_length(Volume(0.74, 0.032)) == 1 / math.sqrt(3 * 0.032 * (0.032 + 0.74))
     assert diffusion_length(Volume(7.4, 0.032, 0.9)) == pytest.approx(diffusion_length(Volume(0.74, 0.032)), rel=1e-15)
     assert diffusion_length(Volume(1.0, 0.0)) == math.inf
+
+
+@pytest.fixture
+def known():
+    """100 photons, of which 10, 20 and 30 left within 1, 2 and 4 mm, and 10 beyond."""
+    found = nothing_walked(Walk(Volume(1.0, 1.0), Setup(math.inf, False), (1.0, 2.0, 4.0)))
+    found.counts[REFLECTED] = [[0, 0, 0, 0], [4, 20, 0, 10], [6, 0, 30, 0]]
+    return RadialProfile(replace(found, photons=100))
+
+
+def test_what_leaves_by_its_distance(known):
+    assert (known.radii.tolist(), known.counts.tolist()) == ([0, 1, 2, 4], [10, 20, 30, 10])
+    assert (known.reflectance, known.reflectance_error) == (0.7, math.sqrt(0.7 * (1 - 0.7) / 100))
+    assert known.density == pytest.approx(np.array([10, 20 / 3, 30 / 12]) / 100 / math.pi, rel=1e-12)
+    share = np.array([0.1, 0.2, 0.3])
+    assert known.density_error == pytest.approx(
+        np.sqrt(share * (1 - share) / 100) / (math.pi * np.array([1, 3, 12])), rel=1e-12
+    )
+
+
+def test_within_a_ring_it_is_spread_evenly(known):
+    """Over its area: halfway through the second ring is sqrt(2.5)."""
+    within = {0.0: 0, 0.5: 2.5, 1.0: 10, 2.5**0.5: 20, 2.0: 30, 4.0: 60, 9.0: 60}
+    assert [known.within(radius) for radius in within] == pytest.approx([each / 70 for each in within.values()])
+    quantiles = {2.5 / 70: 0.5, 20 / 70: 2.5**0.5, 45 / 70: 10**0.5, 1.0: 4.0}
+    assert [known.quantile(share) for share in quantiles] == pytest.approx([*quantiles.values()], rel=1e-12)
+
+
+def test_errors_of_shares_and_radii_are_of_the_photons_that_left(known):
+    assert known.within_error(2.0) == pytest.approx(math.sqrt(3 / 7 * 4 / 7 / 70), rel=1e-12)
+    step = math.sqrt(2 / 7 * 5 / 7 / 70)  # 5.4 % of the light, 15/70 * 3 mm^2 for every fifth of it
+    squares = [2.5 + sign * step * 70 / 20 * 3 for sign in (1, -1)]
+    assert squares[0] < 4 and squares[1] > 1
+    expected = (math.sqrt(squares[0]) - math.sqrt(squares[1])) / 2
+    assert known.quantile_error(2 / 7) == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_beam_is_walked_as_far_as_light_goes():
+    """1024 rings to twelve diffusion lengths, here 2/3 mm."""
+    volume = Volume(1.0, 0.5)
+    walk = beam(volume)
+    assert (walk.volume, walk.setup, walk.seed) == (volume, Setup(math.inf, False), 0)
+    assert len(walk.radii) == 1024 and walk.radii[-1] == pytest.approx(8, rel=1e-12)
+    assert walk.radii[:2] == pytest.approx([8 / 1024**2, 32 / 1024**2], rel=1e-12)
+    assert beam(volume, 3, diffuse=True) == Walk(volume, Setup(math.inf, True), walk.radii, 3)
+    found = searchlight(volume, 30, seed=2)
+    assert (found.tally.of, found.tally.photons) == (beam(volume, 2), 30)

@@ -5,6 +5,8 @@ import math
 import os
 import subprocess
 import sys
+import threading
+import time
 
 import numpy as np
 import pytest
@@ -12,8 +14,8 @@ import pytest
 from sss_ref.errors import SceneError
 from sss_ref.truth import tally
 from sss_ref.truth.counting import ring
-from sss_ref.truth.photon import Setup, Volume
-from sss_ref.truth.tally import Walk, nothing_walked, read_tally
+from sss_ref.truth.photon import ABSORBED, REFLECTED, TRANSMITTED, Setup, Volume
+from sss_ref.truth.tally import Tally, Walk, nothing_walked, read_tally
 
 SKIN = Volume(0.74, 0.032, 0.3, 1.3)
 BEAM = Walk(SKIN, Setup(math.inf, False), (0.5, 1.0, 2.0, 8.0), seed=5)
@@ -117,7 +119,11 @@ def check_is_no_tally(path):
         (Volume(-1.0, 2.0), 1.0, "scattering: expected a number per mm, 0 or more, got -1"),
         (Volume(1.0, math.nan), 1.0, "absorption: expected a number per mm, 0 or more, got nan"),
         (Volume(0.0, 0.0), 1.0, "extinction: expected more than 0"),
-        (Volume(1.0, 1.0, 1.0), 1.0, "anisotropy: expected a number between -1 and 1"),
+        (Volume(1.0, 1.0, 1.0), 1.0, "anisotropy: expected a number between -1 and 1, got 1; correct"),
+        (Volume(1.0, 1.0, -1.0), 1.0, "anisotropy: expected a number between -1 and 1, got -1"),
+        (Volume(math.inf, 1.0), 1.0, "scattering: expected a number per mm, 0 or more, got inf"),
+        (Volume(1.0, math.inf), 1.0, "absorption: expected a number per mm, 0 or more, got inf"),
+        (Volume(1.0, 1.0, 0.0, math.inf), 1.0, "ior: expected 1 or more, got inf"),
         (Volume(1.0, 1.0, 0.0, 0.9), 1.0, "ior: expected 1 or more, got 0.9"),
         (Volume(1.0, 1.0), 0.0, "thickness: expected more than 0 mm"),
     ],
@@ -125,3 +131,54 @@ def check_is_no_tally(path):
 def test_what_cannot_be_walked_is_refused(volume, thickness, line):
     with pytest.raises(SceneError, match=line):
         Walk(volume, Setup(thickness, True), ())
+
+
+def test_progress_is_told_every_16384_photons():
+    told = []
+    nothing_walked(BEAM).more(20_000, on_progress=lambda *found: told.append(found))
+    assert told == [(16_384, 20_000), (20_000, 20_000)]
+
+
+@pytest.mark.parametrize(("asked", "used"), [(1, 1), (2, 2), (None, 3)])
+def test_so_many_threads_share_the_work(small_blocks, monkeypatch, asked, used):
+    """As many at a time as are asked for, else one per processor: none goes on before all are there."""
+    seen, all_there = set(), threading.Barrier(used)
+
+    def wait(*_):
+        seen.add(threading.get_ident())
+        all_there.wait(10)
+        time.sleep(0.02)
+
+    monkeypatch.setattr(os, "cpu_count", lambda: 3)
+    monkeypatch.setattr(tally, "count_photons", wait)
+    nothing_walked(BEAM).more(600, asked)
+    assert len(seen) == used
+
+
+def test_shares_are_of_one_fate():
+    walked = Tally(BEAM, 10, np.arange(1, 46).reshape(3, 3, 5))
+    assert walked.share(REFLECTED) == 12 and walked.share(ABSORBED) == 57
+    half = Tally(BEAM, 16, np.full((3, 3, 5), 0))
+    half.counts[TRANSMITTED, 1:, 2] = 1, 3
+    assert (half.share(TRANSMITTED), half.share_error(TRANSMITTED)) == (0.25, math.sqrt(0.25 * 0.75 / 16))
+
+
+COUNTS = {  # reflected, transmitted, absorbed; scattered never, once, more often
+    (Volume(2.0, 0.1, 0.6, 1.4), True): [[0, 2, 52], [20, 29, 104], [13, 12, 68]],
+    (Volume(2.0, 0.1, 0.6, 1.4), False): [[0, 2, 64], [30, 32, 97], [10, 7, 58]],
+    (Volume(1.0, 0.3), True): [[0, 47, 49], [42, 28, 18], [63, 24, 29]],
+}
+
+
+@pytest.mark.parametrize(("volume", "diffuse"), COUNTS, ids=str)
+def test_the_same_photons_are_counted_everywhere(volume, diffuse):
+    found = nothing_walked(Walk(volume, Setup(1.0, diffuse), ())).more(300)
+    assert found.counts[:, :, 0].tolist() == COUNTS[volume, diffuse]
+
+
+@pytest.mark.parametrize(
+    "setup", [(Volume(0.0, 0.5), 1.0), (Volume(1.0, 0.0), 1.0), (Volume(1.0, 1.0, -0.99, 1.0), 1e-9)], ids=str
+)
+def test_what_can_just_be_walked(setup):
+    volume, thickness = setup
+    assert Walk(volume, Setup(thickness, True), ()).volume == volume
