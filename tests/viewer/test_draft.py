@@ -6,7 +6,7 @@ from tabs import SMALL
 
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
-from sss_ref.viewer.draft import SIDES, SLOWEST, Pace
+from sss_ref.viewer.draft import SIDES, SLOWEST, Pace, draft_settings
 from sss_ref.viewer.studio import smaller
 
 
@@ -61,3 +61,49 @@ def test_what_counts_in_pixels_or_texels_shrinks_with_them():
     assert small.shadow_map.kernel_scale == scene.settings.shadow_map.kernel_scale / 8
     assert small.shadow_map.lookup_depth == scene.settings.shadow_map.lookup_depth / 8
     assert (small.shadow_map.width, small.shadow_map.height) == (128, 64)
+
+
+def sides(seconds, count=14):
+    """The sides of drafts that all take as long."""
+    pace = Pace()
+    for _ in range(count):
+        yield pace.side
+        pace.took(seconds)
+
+
+def test_the_sides_of_drafts():
+    assert [*sides(9.0)] == [256, 224, 192, 160, 128, *[96] * 9]
+    assert [*sides(0.0)] == [256, 320, 384, 448, 512, *[768] * 9]
+
+
+@pytest.mark.parametrize(
+    ("seconds", "side"),
+    [(0.030, 256), (0.0301, 224), (0.01536, 256), (0.0153, 320)],  # of which .8 of .03 s would be taken: .0154
+)
+def test_how_long_a_draft_may_take(seconds, side):
+    assert [*sides(seconds, 2)][1] == side
+
+
+def test_maps_that_are_small_enough_stay_as_they_are():
+    """Each by its own longer side; a blur in texture space counts in charts."""
+    sizes = {"camera.width": 400, "camera.height": 300, "shadow_map.width": 64, "shadow_map.height": 100}
+    charts = {"irradiance_map.width": 200, "irradiance_map.height": 500}
+    scene = load_scene("figure3_with", method="texture_space", **sizes, **charts)
+    before, after = scene.settings, draft_settings(scene.settings, 100)
+    assert (after.camera.width, after.camera.height) == (100, 75)
+    assert after.shadow_map == before.shadow_map
+    assert (after.irradiance_map.width, after.irradiance_map.height) == (40, 100)
+    assert after.blur.pixel_scale == before.blur.pixel_scale * 0.2
+    assert draft_settings(before, 600).camera is before.camera
+    tall = load_scene("figure3_with", method="texture_space", **sizes | {"shadow_map.height": 200}, **charts)
+    halved = draft_settings(tall.settings, 100).shadow_map
+    assert (halved.width, halved.height, halved.kernel_scale) == (32, 100, before.shadow_map.kernel_scale / 2)
+    wide = load_scene("figure3_with", method="texture_space", **sizes, **dict.fromkeys(charts, 60))
+    kept = draft_settings(wide.settings, 100)
+    assert kept.irradiance_map == wide.settings.irradiance_map and kept.blur == wide.settings.blur
+
+
+@pytest.mark.parametrize(("side", "is_same"), [(400, True), (401, True), (399, False)])
+def test_a_picture_as_large_as_a_draft_is_no_draft(side, is_same):
+    settings = load_scene("default", **SMALL | {"camera.width": 300, "camera.height": 400}).settings
+    assert (draft_settings(settings, side) is settings) == is_same

@@ -81,3 +81,8 @@ def test_what_the_scene_names_and_what_is_shipped_may_be_named(files, data):
 def test_no_other_file_is_named(files, data, key):
     with pytest.raises(SceneError, match=rf"^{key}: expected a shipped mesh or a dropped file, got "):
         files.located(data, GIVEN)
+
+
+def test_how_large_and_how_many_dropped_files_may_be(files):
+    assert (SIZE_LIMIT, MOST_FILES) == (64 * 1024 * 1024, 64)
+    assert [files.announced("a.obj", size, adopt=False).size for size in (1, SIZE_LIMIT)] == [1, SIZE_LIMIT]

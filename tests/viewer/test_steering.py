@@ -224,3 +224,74 @@ def test_another_type_has_the_same_numbers():
 @pytest.mark.parametrize(("degrees", "wrapped"), [(180.0, -180.0), (179.0, 179.0), (-180.0, -180.0), (541.0, -179.0)])
 def test_angles_run_from_minus_180_on(degrees, wrapped):
     assert steering._wrapped(degrees) == wrapped
+
+
+# The same world twice as large: angles stay, lengths are doubled.
+TWICE = Bounds(*(np.full(3, x) for x in (-2.0, 2.0, 0.0)), radius=2.0)
+ANGLES = {"azimuth", "elevation", "yaw", "pitch", "fov_y", "width", "height", "type"}
+NEAR_CAMERAS = CAMERAS | {
+    "inside": {"type": "free", "position": [0.1, 0.2, 0.3], "yaw": 14.0, "pitch": -25.0, "near": 0.5, "far": 0.6},
+    "beyond": {"type": "free", "position": [0.1, 0.2, -4.0], "yaw": 14.0, "pitch": -25.0, "near": 0.5, "far": 0.6},
+}
+
+
+def doubled(table):
+    return {
+        key: value if key in ANGLES else [2 * each for each in value] if isinstance(value, list | tuple) else 2 * value
+        for key, value in table.items()
+    }
+
+
+@pytest.mark.parametrize("kind", NEAR_CAMERAS)
+@pytest.mark.parametrize(
+    "move",
+    [
+        lambda one, ball: steering.turned(one, 0.2, 0.1),
+        lambda one, ball: steering.slid(one, ball, 0.2, 0.1),
+        lambda one, ball: steering.zoomed(one, ball, 0.7),
+        lambda one, ball: steering.flown(one, ball, (0.1, 0.2, 0.3)) if one.type != "orthographic" else {},
+        lambda one, ball: steering.widened(one, ball),
+        *(lambda one, ball, kind=kind: steering.retyped(one, kind, ball) for kind in CAMERAS),
+    ],
+    ids=["turned", "slid", "zoomed", "flown", "widened", *(f"retyped to {kind}" for kind in CAMERAS)],
+)
+def test_in_a_world_twice_as_large_all_ways_are_twice_as_long(kind, move):
+    one = seeing(NEAR_CAMERAS[kind])
+    other = seeing(doubled(one.model_dump()))
+    small, large = move(one, BALL), move(other, TWICE)
+    assert small.keys() == large.keys()
+    for key, value in doubled(small).items():
+        assert large[key] == pytest.approx(value, rel=2e-5, abs=1e-9) if key != "type" else large[key] == value
+
+
+@pytest.mark.parametrize("kind", NEAR_CAMERAS)
+@pytest.mark.parametrize("behind", [False, True])
+def test_lights_too(kind, behind):
+    one, place = seeing(NEAR_CAMERAS[kind]), np.array([[1.0, 2.0, 3.0], [0.1, 0.0, 0.2]])
+    views = camera_view(one), camera_view(seeing(doubled(one.model_dump())))
+    small, large = (
+        steering.light_moved(tuple(place * size), view, ball, (0.01, 0.02), behind)
+        for size, view, ball in zip((1, 2), views, (BALL, TWICE), strict=True)
+    )
+    assert large == pytest.approx([2 * each for each in small], rel=2e-5)
+    assert small != [1.0, 2.0, 3.0]
+    handles = (
+        steering.handle(place[0] * size, view, ball)
+        for size, view, ball in zip((1, 2), views, (BALL, TWICE), strict=True)
+    )
+    assert next(handles) == next(handles)
+
+
+def test_a_light_seen_from_behind_the_mesh_hardly_moves():
+    """The picture is as high there as a hundredth of the radius away, of the height of 2 at a distance of 1."""
+    away = seeing({**FLIES, "position": [0.0, 0.0, -5.0]})  # it looks along -Z
+    moved = steering.light_moved((np.array([0.0, 0, 3]), np.zeros(3)), camera_view(away), BALL, (0.6, 0.0), False)
+    assert moved == pytest.approx([3 * np.sin(0.01), 0, 3 * np.cos(0.01)], abs=TINY)
+
+
+def test_how_steep_a_camera_may_look():
+    assert steering.turned(camera("orbit"), 0.0, -5.0)["elevation"] == 89
+    assert steering.turned(camera("orbit"), 0.0, 5.0)["elevation"] == -89
+    assert steering.turned(camera("free"), 0.0, 5.0)["pitch"] == 89
+    assert steering.turned(camera("free"), 0.0, -5.0)["pitch"] == -89
+    assert steering.turned(camera("free"), 3.0, 0.0)["yaw"] == 14.0 - 270 + 360

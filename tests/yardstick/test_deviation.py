@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from sss_ref.yardstick.color_difference import color_difference
 from sss_ref.yardstick.deviation import Truth
 
 TRUE = np.array([[[1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [0.4, 0.2, 0.0]]])
@@ -50,3 +51,38 @@ def test_a_picture_without_error_is_off_by_the_noise():
     found = truth.deviations(truth.as_noisy, {"everywhere": np.ones((100, 100), bool)})["everywhere"]
     assert found.mean == pytest.approx(0.1 * (2 / np.pi) ** 0.5, rel=0.02)
     assert found.rms < 0.02 and abs(found.bias) < 0.005
+
+
+def test_each_channel_counts_and_a_dark_truth_is_held_against_white():
+    """|.3 - .1| + |.2 - .2| + |.1 - .4| over .7, and over .15 of a white of 4 where there is less."""
+    true, seen = np.array([[[0.1, 0.2, 0.4]]]), np.array([[[0.3, 0.2, 0.1]]])
+    for white, floor in ((1.0, 0.7), (4.0, 0.7), (8.0, 1.2)):
+        found = Truth(true, np.zeros((1, 1, 3)), white).relative(seen)
+        assert found == pytest.approx(np.array([[0.5 / max(floor, 0.7)]]), rel=1e-12)
+
+
+def test_a_black_truth_is_off_by_nothing_but_its_noise():
+    black = np.zeros((1, 2, 3))
+    found = Truth(black, black, 2.0).deviations(black + 0.1, {"all": np.ones((1, 2), bool)})["all"]
+    assert (found.bias, found.rms) == (0, 0) and found.mean == pytest.approx(0.3 / 0.3, rel=1e-12)
+
+
+def test_colours_are_seen_with_the_exposure_of_the_truth():
+    """Twice the light of a white twice as bright looks the same; of two pixels .95 of the way to the farther one."""
+    light = np.array([[[0.2, 0.2, 0.2], [0.4, 0.4, 0.4]]])
+    seen = light * [[[2.0], [1.0]]]
+    one = Truth(light, light * 0, 1.0).deviations(seen, {"all": np.ones((1, 2), bool)})["all"]
+    two = Truth(2 * light, light * 0, 2.0).deviations(2 * seen, {"all": np.ones((1, 2), bool)})["all"]
+    far = color_difference(seen, light)[0, 0]
+    assert one.color == two.color == far / 2 > 0 and one.color_tail == pytest.approx(0.95 * far, rel=1e-12)
+
+
+def test_colours_are_not_known_without_scikit_image(monkeypatch):
+    monkeypatch.setattr("sss_ref.yardstick.deviation.color_difference", lambda one, other: None)
+    found = deviation(SEEN)
+    assert (found.color, found.color_tail, found.pixels) == (None, None, 3)
+
+
+def test_the_noise_is_drawn_from_one_seed_once():
+    truth = Truth(TRUE, np.full(TRUE.shape, 0.5), 1.0)
+    assert np.array_equal(truth.as_noisy, TRUE + 0.5 * np.random.default_rng(0).standard_normal((1, 3, 3)))

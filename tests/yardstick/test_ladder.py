@@ -6,8 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from boxes import shaded_plate
+from known_ladder import ladder
 
-from sss_ref.errors import SceneError
+from sss_ref.errors import DumpError, SceneError
 from sss_ref.rendering.fold import render
 from sss_ref.truth.material_fit import fitted_material
 from sss_ref.truth.radiance import nothing_gathered
@@ -113,3 +114,56 @@ def test_red_is_too_bright_and_blue_too_dark(plates):
         shown = signed(ladder.truth.mean * factor, ladder.truth, covered)
         bright = ladder.truth.mean.mean(axis=-1) > 0.3 * ladder.truth.white
         assert bright.any() and (shown[bright] == colour).all()
+
+
+GRAY = np.linspace(1.0, 6, 6).reshape(2, 3, 1) * np.ones(3)
+
+
+def test_pixels_that_are_not_known_in_every_channel_are_in_no_region():
+    error = np.zeros((2, 3, 3))
+    error[0, 0, 2] = error[1, 0] = np.inf
+    found = ladder(GRAY, error).masks
+    assert list(found) == ["everywhere", "lit"]  # of the dark one no pixel is left
+    assert found["everywhere"].tolist() == [[False, True, True], [False, True, False]]
+    assert found["lit"].tolist() == [[False, True, False], [False, False, False]]
+    with pytest.raises(
+        SceneError, match=r"^head <1>: expected a body that is seen, with two samples a pixel, got no such"
+    ):
+        _ = ladder(GRAY, np.inf).masks
+
+
+def test_white_is_a_ninth_above_what_99_of_100_pixels_do_not_exceed():
+    """By the brightest channel of each, on the body."""
+    mean = np.zeros((1, 102, 3))
+    mean[0, :101, 1], mean[0, 101] = np.arange(101.0), 999.0
+    mean[0, :101, 2] = 0.5
+    truth = ladder(mean, 0.25, {"everywhere": np.arange(102)[np.newaxis] < 101}).truth
+    assert truth.white == pytest.approx(99 / 0.9, rel=1e-12)
+    assert truth.mean is mean and (truth.error == 0.25).all()
+    with pytest.raises(
+        SceneError, match=r"^head <1>: expected light that leaves the body, got none; move a light or take"
+    ):
+        _ = ladder(GRAY * 0).truth
+
+
+def test_each_rung_is_held_against_the_truth_and_the_noise_against_none():
+    image = (GRAY * 1.5).astype(np.float32)
+    found = ladder(GRAY, rungs=[Rung("burley", "shipped", {}, image, 1.0)])
+    by = found.deviations["burley, shipped"]
+    assert list(by) == ["everywhere", "lit", "dark"]
+    assert [(each.pixels, each.bias) for each in by.values()] == [(5, 0.5), (2, 0.5), (1, 0.5)]
+    assert found.noise["lit"].mean == 0
+
+
+def test_a_picture_that_no_gpu_drew_is_refused(tmp_path):
+    of = Yardstick("sphere", SMALL, "skin2")
+    np.save(tmp_path / "coverage.npy", np.zeros((32, 32), np.uint8))
+    with pytest.raises(DumpError, match=r": expected the buffer image, got others; dump the final picture too$"):
+        drawn_image(of, tmp_path)
+    image = np.full((32, 32, 3), 0.5, np.float32)
+    np.save(tmp_path / "image.npy", image)
+    assert drawn_image(of, tmp_path).dtype == np.float64 and (drawn_image(of, tmp_path) == 0.5).all()
+    image[1, 2, 0], image[3, 4, 1] = np.nan, np.inf
+    np.save(tmp_path / "image.npy", image)
+    with pytest.raises(DumpError, match=r"image\.npy: expected finite numbers, got 2 that are not; mend the shader$"):
+        drawn_image(of, tmp_path)

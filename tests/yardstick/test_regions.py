@@ -8,7 +8,7 @@ from boxes import looking_down, parallel_light, shaded_plate, write_box
 
 from sss_ref.scene.load import load_scene
 from sss_ref.truth.media import volumes
-from sss_ref.yardstick.regions import SAID, Regions
+from sss_ref.yardstick.regions import SAID, Regions, _grown
 
 SKIN = volumes("skin2")
 LOOK = {"shadow_map.test": "slope", "preset": "robust", "camera.width": 48, "camera.height": 48}
@@ -145,3 +145,62 @@ def test_the_edge_of_a_shadow_reaches_a_diffusion_length_to_both_sides():
     assert np.flatnonzero(found.masks["shadow edge"]).tolist() == [3, 4]
     grazed = of_a_row(range(8), reached=np.arange(8) < 4, cosine=0.25)
     assert "shadow edge" not in grazed.masks
+
+
+def of_lights(*lights, covered=True):
+    """Regions of pixels in a row: of each light N.L, whether it reaches them, and its way in diffusion lengths."""
+    found = of_row_of(len(lights[0][0]))
+    found._buffers["coverage"] = np.broadcast_to(np.uint8(covered), found._buffers["coverage"].shape)
+    known = [
+        (np.array([cosine], float), np.array([reached], bool), np.array([way], float) * found.length)
+        for cosine, reached, way in lights
+    ]
+    found.__dict__["_lights"] = known
+    return {name: np.flatnonzero(mask).tolist() for name, mask in found.masks.items()}
+
+
+def of_row_of(count):
+    return of_a_row(range(count))
+
+
+def test_what_one_of_two_lights_does_is_done():
+    """Two pixels face both or one of them, through two the light comes from behind, near enough or not."""
+    one = [0.9, 0.9, -0.9, -0.9, 0.1], [1, 1, 0, 0, 1], [0, 0, 1, 5, 0]
+    two = [0.9, -0.9, -0.9, -0.9, 0.9], [1, 0, 0, 0, 1], [0, 9, 5, 5, 0]
+    assert of_lights(one, two) == {
+        "everywhere": [0, 1, 2, 3, 4],
+        "lit": [0, 1],
+        "terminator": [4],
+        "thin": [2],
+        "dark": [3],
+    }
+
+
+def test_what_is_lit_at_all_is_not_thin():
+    behind, ahead = ([-0.9] * 3, [0] * 3, [1] * 3), ([0.2, 0.3, -0.9], [1, 1, 0], [0, 0, 9])
+    assert of_lights(behind, ahead) == {"everywhere": [0, 1, 2], "lit": [1], "terminator": [0], "thin": [2]}
+
+
+def test_nothing_is_in_a_region_that_is_not_covered():
+    assert of_lights(([0.9] * 2, [1] * 2, [0] * 2), covered=False) == {}
+
+
+def test_a_body_of_one_pixel():
+    """No neighbour says how far a step is: it counts as one unit."""
+    assert of_a_row([0], unit=0.25).reach == 4
+    assert of_a_row([0], uv=[0.5]).masks.keys() == {"everywhere", "lit"}
+
+
+def test_the_usual_step_is_the_lower_quartile():
+    """Of steps of 1, 1, 2, 2 and 8: 1; so 8 is another surface, and 4 is not."""
+    assert of_a_row([0, 1, 2, 4, 6, 14], unit=0.5).reach == 2
+    assert np.flatnonzero(of_a_row([0, 1, 2, 4, 6, 14])._silhouette).tolist() == [3, 4, 5]
+
+
+def test_what_grows_grows_to_the_diagonals():
+    """Of a pixel in the corner of 3 x 4, one and two steps."""
+    mask = np.zeros((3, 4), bool)
+    mask[0, 0] = True
+    assert np.argwhere(_grown(mask, 0)).tolist() == [[0, 0]]
+    assert np.argwhere(_grown(mask, 1)).tolist() == [[0, 0], [0, 1], [1, 0], [1, 1]]
+    assert _grown(mask, 2).tolist() == [[True] * 3 + [False]] * 3
