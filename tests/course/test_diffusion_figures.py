@@ -69,3 +69,15 @@ def test_the_first_bar_is_on_top():
     heights = [axes.transData.transform((0, bar.get_y()))[1] for bar in axes.containers[0]]
     assert heights[0] > heights[1]
     assert [bar.get_width() for bar in axes.containers[0]] == [3.0, 1.0]
+
+
+def test_sixteen_rings_are_one_by_hand():
+    """Of 32 rings an eighth wide: 16 photons within 2 mm of 100, 48 between 2 and 4."""
+    walked = SimpleNamespace(
+        radii=np.arange(33) / 8, counts=np.repeat([1, 3, 9], [16, 16, 1]), tally=SimpleNamespace(photons=100)
+    )
+    middles, density, error = diffusion_figures.ringed(walked)
+    areas = np.pi * np.array([4, 12])
+    assert middles.tolist() == [1, 3]
+    assert density == pytest.approx(np.array([0.16, 0.48]) / areas, rel=1e-12)
+    assert error == pytest.approx(np.array([0.04, 48**0.5 / 100]) / areas, rel=1e-12)

@@ -8,10 +8,12 @@ import numpy as np
 import pytest
 from drawn_figure import told
 from matplotlib import pyplot
+from matplotlib.colors import to_hex
 from PIL import Image
 from small_figures import FIGURES, figure_of
 
 from sss_ref.course import figures
+from sss_ref.pictures.tiles import RAMP
 
 
 @pytest.fixture(autouse=True)
@@ -87,3 +89,17 @@ def test_titles_are_a_little_larger_than_what_is_written():
 def test_a_slider_has_a_hundred_steps_or_more_of_a_power_of_ten(low, high, step):
     control = figures.Sliders(lambda level: figures.row(1)[0], level=(low, low, high)).controls["level"]
     assert (control.min, control.max, control.step) == (low, high, pytest.approx(step))
+
+
+def test_colours_from_low_to_high_values():
+    """The ends and the middle of overview.png's colours; where nothing is drawn it is a light gray."""
+    assert [to_hex(figures.RISING(value)) for value in (0.0, 0.5, 1.0)] == [
+        "#{:02x}{:02x}{:02x}".format(*RAMP[k]) for k in (0, 128, 255)
+    ]
+    assert to_hex(figures.RISING(np.nan)) == to_hex(figures.SIGNED(np.nan)) == "#e9eaee"
+    assert to_hex(figures.SIGNED(0.0)) == "#053061" and to_hex(figures.SIGNED(1.0)) == "#67001f"
+
+
+def test_a_figure_is_as_wide_as_it_is_high_unless_it_is_said():
+    assert figures.row(1)[0].get_size_inches().tolist() == [3.3, 3.3]
+    assert figures.row(3, 2.0)[0].get_size_inches().tolist() == [6, 2]

@@ -69,3 +69,35 @@ def png(level):
     target = io.BytesIO()
     Image.new("RGB", (2, 2), (round(255 * level),) * 3).save(target, "PNG")
     return target.getvalue()
+
+
+PAGE = """<figure class="sliders">
+<label>a<input type="range" min="0" max="6" value="2" data-first="2"
+ data-values="0 0.5 1.25 1.5 2 2.5 3" data-pictures="0,7 0.5,7 1.25,7 1.5,7 2,7 2.5,7 3,7"><output>1.25</output></label>
+<label>b<input type="range" min="0" max="6" value="6" data-first="6"
+ data-values="1 2 3 4 5 6 7" data-pictures="1.25,1 1.25,2 1.25,3 1.25,4 1.25,5 1.25,6 1.25,7"><output>7</output></label>
+<img src="1.25,7" alt="a, b">
+<figcaption>Drawn beforehand: one slider at a time; in Jupyter they move together.</figcaption>
+</figure>"""
+
+
+def test_a_page_of_two_sliders(monkeypatch):
+    """The first values are drawn once, and shown by both and to begin with."""
+    drawn = []
+
+    def draw(values):
+        drawn.append(f"{values['a']:g},{values['b']:g}")
+        return drawn[-1]
+
+    monkeypatch.setattr(frames, "webp", str)
+    assert frames.page(draw, {"a": (0.0, 1.25, 3.0, 0.25), "b": (1.0, 7.0, 7.0, 1.0)}) == PAGE
+    assert len(drawn) == len(set(drawn)) == 13
+
+
+def test_pictures_are_small():
+    """WebP of the quality 82."""
+    source = Image.fromarray(np.arange(48 * 48 * 3, dtype=np.uint8).reshape(48, 48, 3))
+    pixels, expected = io.BytesIO(), io.BytesIO()
+    source.save(pixels, "PNG")
+    source.save(expected, "WEBP", quality=82)
+    assert frames.webp(pixels.getvalue()) == "data:image/webp;base64," + base64.b64encode(expected.getvalue()).decode()

@@ -113,3 +113,10 @@ def test_the_command_says_what_became_of_each_file(tmp_path, capsys):
     (tmp_path / "own" / LESSON).write_text("answers")
     assert main(["course", str(tmp_path / "own")]) == 0
     assert f"{LESSON}: yours, kept\n" in capsys.readouterr().out
+
+
+def test_solutions_come_into_a_folder_of_their_own(tmp_path):
+    names = [each.name for each in write_course(tmp_path / "own", solutions=True)]
+    shipped = sorted(path.name for path in own_folder.shipped_folder("solutions").glob("*.py"))
+    assert shipped and [name for name in names if "/" in name] == [f"solutions/{name}" for name in shipped]
+    assert sorted(path.name for path in (tmp_path / "own" / "solutions").iterdir()) == shipped

@@ -6,6 +6,8 @@ from scenes import cube, written
 
 import sss_ref
 from sss_ref.course import small_scenes
+from sss_ref.mesh.mesh_file import load_mesh
+from sss_ref.scene_file.shipped import find_mesh
 from sss_ref.view.light_fit import Bounds
 
 
@@ -46,4 +48,28 @@ def test_sizes_can_be_overridden():
         64,
         32,
         128,
+    )
+
+
+def test_a_lessons_scene_is_384_pixels_wide_with_a_map_of_twice_that():
+    settings = small_scenes.load("figure5").settings
+    assert (settings.camera.width, settings.camera.height) == (384, 384)
+    assert (settings.shadow_map.width, settings.shadow_map.height) == (768, 768)
+
+
+def test_where_another_head_is_put(tmp_path):
+    """Beside the origin and twice as large as it has to be: half of it, moved back."""
+    points, triangles = cube()
+    model = Bounds.around(load_mesh(find_mesh("bust", tmp_path)).positions.astype(float))
+    own = Bounds.around(points)
+    path = written(tmp_path / "own.obj", points * 2 + [3, 0, 0], triangles)
+    found = small_scenes.placed(path)
+    scale = model.radius / own.radius / 2
+    assert found["mesh.scale"] == pytest.approx(scale, rel=1e-6)
+    assert found["mesh.translate"] == pytest.approx(
+        (model.centre - (own.centre * 2 + [3, 0, 0]) * scale).tolist(), abs=1e-6
+    )
+    assert found["mesh.path"] == str(path) and found["mesh.unwrap"]
+    assert (
+        small_scenes.placed("bust") == {"mesh.path": "bust"} and not small_scenes.placed("molar_enamel")["mesh.unwrap"]
     )

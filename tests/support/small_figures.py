@@ -19,6 +19,9 @@ WHERE = np.array([[1, 0], [1, 1]])
 LINE = np.array([1.0, 2.0, 4.0])
 CORNERS = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
 WAYS = [np.array([[0.0, 0, 0], [1, 0, 1], [1, 0, -1]]), np.array([[0.0, 0, 0], [0, 0, 1]])]
+WALKED = SimpleNamespace(
+    radii=np.arange(49) / 8, counts=np.repeat([1, 2, 0, 9], [16, 16, 16, 1]), tally=SimpleNamespace(photons=100)
+)
 LAW = SimpleNamespace(thickness=np.array([1.0, 2.0]), share=np.array([0.5, 0.25]), error=np.array([0.1, 0.2]))
 
 
@@ -53,9 +56,11 @@ FIGURES: dict[str, Callable[[], object]] = {
     "shares": lambda: figures.shares(["x", "y"], {"first": [0.5, 1.0], "second": [0.25, 0.0]}, "shares"),
     "mark": on_axes(figures.mark, (3, 4)),
     "paths": on_axes(diffusion_figures.paths, WAYS, 4.0),
+    "profile": on_axes(diffusion_figures.profile, WALKED, figures.BLUE, "walked"),
     "stairs": on_axes(diffusion_figures.stairs, np.array([2.0, 0, 1]), np.array([1.0, 2, 1]), figures.RED),
     "transmittance": on_axes(diffusion_figures.transmittance, [LAW] * 3, [LAW.share] * 3, "through slabs"),
     "bars": lambda: diffusion_figures.bars({"first": 3.0, "second": 1.0}, "bars", "delta E", 0.5),
+    "bars without noise": lambda: diffusion_figures.bars({"first": 3.0}, "bars", "delta E"),
 }
 
 
