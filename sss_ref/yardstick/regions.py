@@ -130,7 +130,8 @@ class Regions:
         for axis in (0, 1):
             steps = self._steps(axis)
             slopes.append(np.where(steps <= STEP * self._usual_step, _distance(uv, axis) / np.maximum(steps, 1e-30), 0))
-        usual = np.median(np.concatenate([slope[slope > 0] for slope in slopes] or [np.ones(1)]))
+        changing = np.concatenate([slope[slope > 0] for slope in slopes])
+        usual = np.median(changing) if changing.size else np.inf
         for axis, slope in enumerate(slopes):
             first, second = _pairs(slope > JUMP * usual, axis)
             found |= first | second

@@ -120,3 +120,9 @@ def test_solutions_come_into_a_folder_of_their_own(tmp_path):
     shipped = sorted(path.name for path in own_folder.shipped_folder("solutions").glob("*.py"))
     assert shipped and [name for name in names if "/" in name] == [f"solutions/{name}" for name in shipped]
     assert sorted(path.name for path in (tmp_path / "own" / "solutions").iterdir()) == shipped
+
+
+def test_a_new_folder_may_be_deep_and_its_record_is_read_by_people(tmp_path):
+    write_course(tmp_path / "course" / "own")
+    text = (tmp_path / "course" / "own" / own_folder.RECORD).read_text(encoding="utf-8")
+    assert text.startswith('{\n "START.ipynb": "') and text.endswith("\n}\n")

@@ -1,11 +1,14 @@
 """The right picture stands beside the reader's, whatever the reader's stage does."""
 
+import textwrap
+
 import numpy as np
 import pytest
+from drawn_figure import told
 from exercise_answers import a_text, solutions
 from matplotlib import pyplot
 
-from sss_ref.course import checks
+from sss_ref.course import checks, together
 from sss_ref.course.right_pictures import PLACES, SIZE, right_and_own
 from sss_ref.course.together import compared, right_and_yours
 
@@ -79,3 +82,30 @@ def test_where_stages_are_at_work():
         "same_bits": ("figure1", {}),
         "mended_lambert": ("figure5", mapped | {"irradiance_map.mode": "lambert"}),
     }
+
+
+PAIR = [
+    "6.6 2.9 inches at 110, ConstrainedLayoutEngine",
+    "axes: 'right' '' '', aspect 1.0",
+    "axes: 'yours' '' '', aspect auto",
+]
+
+
+def test_what_keeps_a_picture_from_being_drawn_is_said_in_its_middle(monkeypatch):
+    """In lines of 40 letters."""
+    said = "normal_world: expected a buffer that is written before it, got none"
+    monkeypatch.setattr(together, "right_and_own", lambda *_: (np.zeros((2, 2, 3), np.float32), said))
+    right_and_yours(checks.stencilled, None, "bust")
+    found = told(pyplot.gcf())
+    assert [line for line in found if not line.startswith(" ")] == PAIR
+    words = textwrap.fill(said, 40)
+    assert f"  words {words!r} at 0.5 0.5, 8, center" in found and max(map(len, words.splitlines())) <= 40
+
+
+def test_numbers_have_the_range_of_the_right_ones(monkeypatch):
+    right, own = np.array([[1.0, 3.0]], np.float32), np.array([[0.0, 5.0]], np.float32)
+    monkeypatch.setattr(together, "right_and_own", lambda *_: (right, own))
+    right_and_yours(checks.stencilled, None, "bust")
+    found = told(pyplot.gcf())
+    assert "  image 1 3, 1 3" in found and "  image 0 5, 1 3" in found
+    assert "axes: 'yours' '' '', aspect 1.0" in found

@@ -165,3 +165,10 @@ def test_the_way_through_two_boxes(limit, length):
     """From .25 to 1 and from 3 to 4; not known to a point inside, nor to one on a border."""
     tree = scenery(parallel(UP), ends=(((-1, -1, -1), (1, 1, 1)), ((-1, -1, 3), (1, 1, 4)))).tree
     assert inside_length(tree, (0.1, 0.2, 0.25), UP, limit) == length
+
+
+def test_a_way_that_begins_on_a_face_leaves_there():
+    """After 0; then there are 2 outside and 1 inside."""
+    tree = scenery(parallel(UP), ends=(((-1, -1, -1), (1, 1, 1)), ((-1, -1, 3), (1, 1, 4)))).tree
+    assert inside_length(tree, (0.1, 0.2, 1.0), UP, math.inf) == 1
+    assert inside_length(tree, (0.1, 0.2, 1.0), UP, 1.0) == 0

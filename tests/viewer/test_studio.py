@@ -2,6 +2,7 @@
 
 import os
 import tomllib
+from types import SimpleNamespace
 
 import pytest
 from scenes import around, sphere, two_squares, written
@@ -10,6 +11,7 @@ from tabs import SMALL
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.scene_file.reading import Document
+from sss_ref.viewer import studio as studio_module
 from sss_ref.viewer.dropped import DroppedFiles
 from sss_ref.viewer.keeping import kept_file
 from sss_ref.viewer.studio import Order, Studio, Superseded, starting_point
@@ -100,3 +102,18 @@ def test_a_dropped_file_is_named_as_it_was_dropped_even_where_the_scene_has_one_
     written(tmp_path / "files" / "mesh.obj", *two_squares())
     assert len(studio.scene(data).mesh.triangles) == 4
     assert tomllib.loads(kept_file("scene", studio, data).decode())["mesh"]["path"] == "mesh.obj"
+
+
+@pytest.mark.parametrize("is_draft", [True, False])
+def test_what_is_told_of_a_picture(tmp_path, monkeypatch, is_draft):
+    """A quarter of a second is far too long for a draft: the next one is smaller. The whole picture says nothing."""
+    large = SMALL | {"camera.width": 600, "camera.height": 300}
+    studio = studio_of(tmp_path, starting_point("default", large))
+    monkeypatch.setattr(studio_module, "time", SimpleNamespace(perf_counter=iter([7.0, 7.25]).__next__))
+    picture = studio.picture(Order(studio.document.data, "image", is_draft), never)
+    facts = picture.facts
+    size = (256, 128) if is_draft else (600, 300)
+    assert (facts["kind"], facts["draft"], facts["ms"], facts["size"]) == ("picture", is_draft, 250, [600, 300])
+    assert (facts["width"], facts["height"]) == size and len(picture.pixels) == 4 * size[0] * size[1]
+    assert (facts["hash"] is None) == is_draft and picture.scene.settings.camera.width == 600
+    assert studio.pace.side == (224 if is_draft else 256)

@@ -204,3 +204,19 @@ def test_what_grows_grows_to_the_diagonals():
     assert np.argwhere(_grown(mask, 0)).tolist() == [[0, 0]]
     assert np.argwhere(_grown(mask, 1)).tolist() == [[0, 0], [0, 1], [1, 0], [1, 1]]
     assert _grown(mask, 2).tolist() == [[True] * 3 + [False]] * 3
+
+
+def test_a_texture_that_changes_as_fast_everywhere_has_no_seam():
+    """However far pixels are apart, and where it does not change at all."""
+    places = np.cumsum([0, 0.1, 0.1, 0.1, 0.39, 0.1, 0.1])
+    assert not of_a_row(places, uv=places * [1, 1, 1, 1, 1.2, 1, 1])._seam.any()
+    assert not of_a_row(range(8), uv=[0, 0, 0, 0, 0, 1, 2, 3])._seam.any()
+    assert not of_a_row(range(3), uv=[0.5] * 3)._seam.any()
+
+
+def test_pixels_four_steps_apart_have_a_seam_between_them():
+    """Five times as fast; beyond four steps another surface begins, which is no seam."""
+    for gap, at in ((4, [3, 4]), (4.01, [])):
+        places = [0, 1, 2, 3, 3 + gap, 4 + gap, 5 + gap]
+        uv = [0, 0.125, 0.25, 0.375, 0.375 + 3.0, 3.5, 3.625]
+        assert np.flatnonzero(of_a_row(places, uv=uv)._seam).tolist() == at
