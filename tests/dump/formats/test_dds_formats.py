@@ -94,6 +94,8 @@ def test_masks_tell_a_format_by_what_they_are_of():
     small = {"B8G8R8": "BGR", "R8G8B8": "RGB", "R8G8B8X8": "RGBX", "L8A8": "RA"}
     assert {each.name: each.channels for each in found.values() if each.name in small} == small
     assert {(each.element, each.storage) for each in found.values() if each.name in small} == {("<u1", "unorm8")}
+    others = 0xFFFFFFFF - (OF_COLOURS | OF_LUMINANCE | OF_BUMPS)  # such as that the pixels have an alpha
+    assert found == {(flags, masks): by_masks(flags | others, masks) for flags, masks in MASKED}
     for flags, masks in (
         (OF_COLOURS, (16, 0xF800, 0x7E0, 0x1F, 0)),
         (OF_BUMPS, (8, RED, 0, 0, 0)),

@@ -39,10 +39,13 @@ def test_any_scale_above_0_is_big_endian_and_any_below_little(tmp_path, scale):
         assert np.array_equal(texels.data, (VALUES.astype(np.float64) * np.float32(scale)).astype(np.float32))
 
 
-def test_a_long_header_is_read(tmp_path):
-    header = b"PF\n" + b" " * 239 + b"3 2\n-1.00"
-    texels = read(tmp_path, header + b"0\n" + VALUES.astype("<f4").tobytes())
-    assert len(header) + 2 < 256 and np.array_equal(texels.data, VALUES)
+def test_a_header_has_256_bytes_at_most(tmp_path):
+    def long_header(size):
+        return b"PF\n" + b" " * (size - 14) + b"3 2\n-1.000\n" + VALUES.astype("<f4").tobytes()
+
+    assert np.array_equal(read(tmp_path, long_header(256)).data, VALUES)
+    with pytest.raises(DumpError, match="a height and a scale, got another header"):
+        read(tmp_path, long_header(257))
 
 
 def test_grey(tmp_path):

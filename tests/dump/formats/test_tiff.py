@@ -113,6 +113,17 @@ def test_compressions_that_lose_nothing(tmp_path, compression, predictor, kind, 
     assert np.array_equal(texels.data, values) and texels.data.dtype == values.dtype
 
 
+@pytest.mark.parametrize(("compression", "number"), [("deflate", 32946), ("lzma", 34925)])
+def test_the_rarer_compressions(tmp_path, compression, number):
+    """Deflate under the number that it had before TIFF's own supplement; and LZMA."""
+    values = np.random.default_rng(4).random((8, 6), np.float32)
+    tifffile.imwrite(tmp_path / "x.tif", values, compression=compression)
+    with tifffile.TiffFile(tmp_path / "x.tif") as file:
+        assert int(file.pages[0].compression) == number
+    (texels,) = parts_of(tmp_path / "x.tif")
+    assert np.array_equal(texels.data[..., 0], values)
+
+
 def test_a_compression_that_loses_bits_is_refused_by_name(tmp_path):
     tifffile.imwrite(tmp_path / "x.tif", np.zeros((16, 16, 3), np.uint8), photometric="rgb", compression="jpeg")
     with pytest.raises(DumpError, match=r"that loses nothing \(none, LZW, .*\), got JPEG \(7\); save it with one"):
