@@ -33,11 +33,16 @@ def test_scatter_along():
 
 
 def test_between_four_pixels():
-    """Half-way to the neighbour on the diagonal: a quarter of each of four."""
-    lit = np.repeat(np.float32([[8, 4], [2, 6]])[..., None], 3, axis=2)
-    square = {"lit": lit, "position_world": np.zeros((2, 2, 3), np.float32), "coverage": np.ones((2, 2), np.uint8)}
+    """Half-way to the neighbour on the diagonal: a quarter of each of four; what is off the model has the pixel's 8."""
+    four = np.pad(np.float32([[8, 4], [2, 6]]), 1, constant_values=1000)
+    square = {"lit": np.repeat(four[..., None], 3, axis=2), "position_world": np.zeros((4, 4, 3), np.float32)}
     kernel = {"kernel_offset": np.float32([[0.5, 0.5]]), "kernel_weight": np.float32([[1, 1, 1]]), "kernel_count": 1}
-    assert call(scatter_along, pixels_per_offset=1, **{**ROW, **square, **kernel, "pixel": (0, 0)}) == ((5, 5, 5),)
+    for beside, expected in ((None, 5), ((1, 2), 6), ((2, 1), 6.5), ((2, 2), 5.5)):
+        covered = np.ones((4, 4), np.uint8)
+        if beside:
+            covered[beside] = 0
+        inputs = {**ROW, **square, **kernel, "coverage": covered, "pixel": (1, 1)}
+        assert call(scatter_along, pixels_per_offset=1, **inputs) == ((expected,) * 3,)
 
 
 def test_the_other_axis():
