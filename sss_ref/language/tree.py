@@ -188,8 +188,10 @@ def with_child(expression: Expression, index: int, child: Expression) -> Express
             return replace(expression, parts=put(parts))
         case Call(arguments=parts):
             return replace(expression, arguments=put(parts))
-        case Element(array=array):
-            return replace(expression, index=child) if index == 1 else replace(expression, array=array)
+        case Element(array=array, index=at):
+            whole, at = put((array, at))
+            assert isinstance(whole, Variable)  # nothing else has elements
+            return replace(expression, array=whole, index=at)
     raise AssertionError(expression)
 
 
