@@ -78,6 +78,7 @@ def test_a_name_that_a_stage_has_given_itself_is_left_to_it():
         "light_position": "light_position",
         "light_direction_": "light_direction",
     }
+    assert list(turned.parameters) == list(turned.reads) == ["position_world", "light_position", "light_direction_"]
     given = {"position_world": (1, 2, 3), "light_position": (0, 0, 5), "light_direction_": DOWN}
     assert call(turned, **given) == ((0, 0, -2),)
 

@@ -480,6 +480,13 @@ def test_ieee_powers_of_intervals_reach_from_corner_to_corner():
     assert ends_of(Ieee().divide(scalar(1), of((-2, -0.5)))) == (-2, -0.5)
 
 
+@pytest.mark.parametrize(("x", "y"), [(0.0, -0.0), (-0.0, 0.0)])
+def test_of_two_zeros_the_first_is_the_smaller_and_the_larger(x, y):
+    """Rule A1: y < x ? y : x, and x < y ? y : x."""
+    for operation in (interval.minimum, interval.maximum):
+        assert np.signbit(operation(scalar(x), scalar(y)).low) == np.signbit(x)
+
+
 @pytest.mark.parametrize(
     ("a", "b", "less", "less_equal", "equal"),
     [

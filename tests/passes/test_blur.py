@@ -48,6 +48,12 @@ def test_scatter_up_and_left():
     assert call(scatter, lit=picture, pixel=(1, 0), **kernel, pixel_scale=1) == ((3.875,) * 3,)
 
 
+def test_a_sum_of_one_term_has_its_bits():
+    """Of black times a weight below 0 that is -0, and -0 as the first term of a sum."""
+    ((red, green, _),) = call(scatter, lit=row_of(0), pixel=(0, 0), **taps([(0, 0, -1, 1, 1)]), pixel_scale=1)
+    assert (red, green) == (0, 0) and np.signbit(red) and not np.signbit(green)
+
+
 def test_single_tap():
     # Half way between 2 and 4, times the weights.
     inputs = {"lit": row_of(1, 2, 4), "pixel": (1, 0), "weight": (0.25, 0.125, 0)}
