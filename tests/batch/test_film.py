@@ -1,3 +1,6 @@
+import sys
+from types import SimpleNamespace
+
 import imageio.v3 as imageio
 import numpy as np
 import pytest
@@ -37,6 +40,47 @@ def test_an_mp4_has_every_picture_and_even_sides(tmp_path, pictures):
     assert found.shape == (3, 10, 16, 3)
     expected = np.array([*COLOURS[:2], (5, 5, 125)])
     assert np.abs(found.mean(axis=(1, 2)) - expected).max() < 12  # H.264 is lossy, and its colours another space
+
+
+@pytest.mark.parametrize(
+    ("size", "even"), [((15, 9), (16, 10)), ((14, 9), (14, 10)), ((15, 8), (16, 8)), ((14, 8), (14, 8))]
+)
+def test_an_encoder_gets_every_picture_with_its_last_pixels_twice_where_a_side_is_odd(
+    tmp_path, monkeypatch, size, even
+):
+    """In the place of ffmpeg, which not everyone has: what it is asked for and sent."""
+    asked, sent = [], []
+
+    def write_frames(path, size, **settings):
+        asked.append((path, size, settings))
+        while True:
+            sent.append((yield))
+
+    monkeypatch.setitem(sys.modules, "imageio_ffmpeg", SimpleNamespace(write_frames=write_frames))
+    monkeypatch.setattr(film, "has_encoder", lambda: True)
+    width, height = size
+    paths, rows = [tmp_path / "a.png", tmp_path / "b.png"], np.arange(height * width * 3, dtype=np.uint8)
+    pictures = [rows.reshape(height, width, 3), 255 - rows.reshape(height, width, 3)]
+    for path, picture in zip(paths, pictures, strict=True):
+        Image.fromarray(picture).save(path)
+    assert write_films(tmp_path, "turn", paths, 7) == [tmp_path / "turn.gif", tmp_path / "turn.mp4"]
+    settings = {"fps": 7, "quality": 8, "macro_block_size": 1, "ffmpeg_log_level": "error"}
+    assert asked == [(str(tmp_path / "turn.mp4"), even, settings)]
+    assert len(sent) == 2
+    for frame, picture in zip(sent, pictures, strict=True):
+        assert frame.shape == (even[1], even[0], 3) and frame.flags.c_contiguous
+        rows, columns = (
+            np.minimum(np.arange(wide), side - 1) for wide, side in zip(even[::-1], size[::-1], strict=True)
+        )
+        assert (frame == picture[rows][:, columns]).all()
+
+
+@pytest.mark.parametrize(("rate", "milliseconds"), [(1, 1000), (24, 40), (30, 30), (60, 20), (100, 10)])
+def test_a_gif_counts_hundredths_of_a_second(tmp_path, pictures, monkeypatch, rate, milliseconds):
+    monkeypatch.setattr(film, "has_encoder", lambda: False)
+    (path,) = write_films(tmp_path, "turn", pictures, rate)
+    with Image.open(path) as gif:
+        assert gif.info["duration"] == milliseconds
 
 
 def test_pictures_of_two_sizes_and_none_are_told(tmp_path, pictures):

@@ -55,6 +55,18 @@ def test_zeros_of_either_sign_and_a_picture_of_background_alone_are_kept(tmp_pat
     store = zarr.open_group(tmp_path / STORE, mode="r")
     assert store["depth"][1].tobytes() == negative.tobytes() and np.isnan(store["depth"][0]).all()
     assert len(chunks_of(tmp_path / STORE / "triangle", 1)) == 1
+    assert (store["triangle"][0] == -1).all() and (store["triangle"][2] == -1).all()
+
+
+def test_what_is_not_there_yet_is_no_number_that_a_buffer_has(tmp_path):
+    """NaN, no triangle, and of what is in the light or not: not."""
+    sample = {name: np.ones((2, 3), kind) for name, kind in (("depth", "f4"), ("triangle", "i4"), ("coverage", "u1"))}
+    ItemArrays(tmp_path, 2).write(1, NAME, sample)
+    store = zarr.open_group(tmp_path / STORE, mode="r")
+    assert [store[name][0].reshape(-1)[0].item() for name in ("triangle", "coverage")] == [-1, 0]
+    assert np.isnan(store["depth"][0]).all()
+    assert {name: store[name].shape for name in sample} == dict.fromkeys(sample, (2, 2, 3))
+    assert store.attrs["note"].startswith("A chunk for each item")
 
 
 def test_it_is_read_while_it_grows_and_goes_on(tmp_path):

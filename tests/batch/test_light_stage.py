@@ -2,8 +2,10 @@ import math
 
 import numpy as np
 import pytest
+from pydantic import ValidationError
 from small_batches import SMALL, small_sweep
 
+from sss_ref.batch.draws import chances
 from sss_ref.batch.light_stage import LightStage
 from sss_ref.batch.run import BatchExecution, run
 from sss_ref.scene.load import load_scene
@@ -49,6 +51,22 @@ def test_random_directions_are_those_of_the_seed():
     stage = LightStage(count=4, directions="random")
     assert stage.lights(7) == stage.lights(7) != stage.lights(8)
     assert stage.lights(7) == LightStage(count=9, directions="random").lights(7)[:4]
+
+
+def test_random_directions_are_two_chances_each():
+    """The azimuth is the first share of a turn, the height the second of what lies between -1 and 1."""
+    for number, (light,) in enumerate(LightStage(count=5, directions="random").lights(3)):
+        draws = chances(3, "olat", number)
+        assert light["azimuth"] == 360 * next(draws)
+        assert math.sin(math.radians(light["elevation"])) == pytest.approx(2 * next(draws) - 1, abs=1e-14)  # libm's
+
+
+@pytest.mark.parametrize("count", [1, 10_000])
+def test_as_many_lights_as_a_stage_may_have(count):
+    assert LightStage(count=count).count == count
+    for wrong in (0, 10_001):
+        with pytest.raises(ValidationError, match="count"):
+            LightStage(count=wrong)
 
 
 def test_lights_are_parallel_unless_they_have_a_distance():

@@ -35,6 +35,11 @@ def test_random_keys_alone_give_as_many_items_as_rounds():
     assert len(plan({"r": {"random": "uniform", "low": 0, "high": 1}}, repeat=5)) == 5
 
 
+def test_random_keys_alone_may_be_zipped():
+    assert len(plan({"r": {"random": "uniform", "low": 0, "high": 1}}, repeat=5, combine="zip")) == 5
+    assert len(plan({"r": {"random": "uniform", "low": 0, "high": 1}})) == 1
+
+
 def test_what_is_set_lies_below_what_varies():
     assert Plan(small_sweep(set={"a": 1, "b": 2}, vary={"b": [3]})).overrides(0) == {"a": 1, "b": 3}
 
@@ -54,6 +59,20 @@ def test_shards_share_the_items_among_them():
     assert sorted(item for part in parts for item in part) == list(range(10))
     assert max(map(len, parts)) - min(map(len, parts)) <= 1
     assert WHOLE.of(4) == range(4)
+
+
+@pytest.mark.parametrize(
+    ("text", "shard", "items", "suffix"),
+    [
+        ("1/1", Shard(1, 1), [0, 1, 2, 3, 4], ""),
+        ("1/2", Shard(1, 2), [0, 2, 4], "-1-of-2"),
+        ("2/2", Shard(2, 2), [1, 3], "-2-of-2"),
+        ("7/7", Shard(7, 7), [], "-7-of-7"),
+    ],
+)
+def test_a_part_is_every_so_manyth_item(text, shard, items, suffix):
+    assert Shard.parsed(text) == shard
+    assert [*shard.of(5)] == items and shard.suffix == suffix
 
 
 @pytest.mark.parametrize("text", ["", "3", "0/3", "4/3", "a/3", "-1/3", "1/", "9" * 5000 + "/3"])

@@ -35,6 +35,35 @@ def test_keys_are_written_as_in_a_scene_file(tmp_path):
     assert (sweep.outputs, sweep.keep, sweep.combine) == (("npz", "png"), ("final",), "grid")
 
 
+def test_tables_stay_whole_unless_the_place_of_a_light_is_in_them():
+    tables = {
+        "output": {"tone": {"gamma": 2.2}},
+        "bake": {"deep": {"lights": {"0": {"a": 1}}, "b": {"c": 2}}},
+        "lights": {"1": {"color": {"r": 1}}},
+    }
+    sweep = checked_sweep({"set": tables, "vary": {"a": [1]}}, "sweep")
+    assert sweep.set == {
+        "output": {"tone": {"gamma": 2.2}},
+        "bake.deep.lights.0": {"a": 1},
+        "bake.deep.b": {"c": 2},
+        "lights.1": {"color": {"r": 1}},
+    }
+
+
+def test_what_a_sweep_is_unless_the_file_says_otherwise():
+    sweep = checked_sweep({"vary": {"a": [1]}}, "sweep")
+    given = (sweep.scene, sweep.combine, sweep.repeat, sweep.seed, sweep.olat, sweep.cameras, sweep.set)
+    assert given == ("default", "grid", 1, 0, None, False, {})
+    assert (sweep.outputs, sweep.keep) == (("png",), ("final",))
+
+
+@pytest.mark.parametrize("repeat", [1, 10**9])
+def test_the_ends_of_how_often(repeat):
+    assert checked_sweep({"vary": {"a": [1]}, "repeat": repeat, "seed": 0}, "sweep").repeat == repeat
+    with pytest.raises(SceneError, match=r"sweep: repeat: expected a whole number from 1 to 10\^9, got 1000000001"):
+        checked_sweep({"vary": {"a": [1]}, "repeat": 10**9 + 1}, "sweep")
+
+
 def test_a_shipped_scene_stays_a_name(tmp_path):
     (tmp_path / "sweep.toml").write_text('scene = "small"\nvary.preset = ["paper"]')
     assert read_sweep(tmp_path / "sweep.toml").scene == "small"

@@ -27,6 +27,11 @@ def test_a_free_camera_has_nothing_to_turn_around():
         turntable("small", 4, {"camera": {"type": "free", "position": [0, 0, 5]}})
 
 
+@pytest.mark.parametrize("frames", [2, 10_000])
+def test_two_frames_are_a_turn_and_so_are_ten_thousand(frames):
+    assert len(Plan(turntable("small", frames, {}))) == frames
+
+
 @pytest.mark.parametrize("frames", [1, 10_001])
 def test_too_few_and_too_many_frames(frames):
     with pytest.raises(SceneError, match=f"--frames: expected 2 to 10000, got {frames}"):
