@@ -8,15 +8,9 @@ from types import SimpleNamespace
 import pytest
 
 from sss_ref import cli
-from sss_ref.cli import batch_commands, console, explaining, verdicts
+from sss_ref.cli import batch_commands, explaining, verdicts
 from sss_ref.errors import SceneError
 from sss_ref.explanation.rows import Row
-
-
-def test_widths_and_codes():
-    assert (console.out.width, console.DIFFERS, console.BAD_INPUT) == (160, 1, 2)
-    assert not console.out.stderr and console.err.stderr
-    assert batch_commands.SOME_FAILED == 1
 
 
 @pytest.mark.parametrize(
