@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from sss_ref import cli
-from sss_ref.cli import batch_commands, explaining, verdicts
+from sss_ref.cli import batch_commands, console, explaining, verdicts
 from sss_ref.errors import SceneError
 from sss_ref.explanation.rows import Row
 
