@@ -96,6 +96,12 @@ def test_a_point_of_a_sphere_is_one_of_the_disc_laid_onto_it():
     assert tries >= {1, 2}
 
 
+def test_a_pair_on_the_circle_is_drawn_again():
+    """-1 and 0 are on it; then 0 and 0, its middle, which is the sphere's pole."""
+    sphere = VALUES.validate_python({"random": "sphere", "radius": 2.0})
+    assert sphere.drawn(iter([0.0, 0.5, 0.5, 0.5])) == [0.0, 0.0, 2.0]
+
+
 def test_log_uniform_is_as_often_below_the_geometric_mean_as_above():
     found = [drawn(item, random="log_uniform", low=0.01, high=100.0) for item in range(1000)]
     assert 0.01 <= min(found) < max(found) < 100

@@ -140,13 +140,16 @@ def test_files_are_told_as_they_are_named(validated, capsys):
 @pytest.mark.parametrize(
     ("finding", "line"),
     [
-        (None, "w[1] not written: no stage is wrong"),
-        (SimpleNamespace(witness=None), "w[1] not written: only a pixel that a stage computes can be cut down to it"),
-        (SimpleNamespace(witness="pixel"), "w[1]: judge it with sss-ref witness"),
+        (None, "w[b] not written: no stage is wrong"),
+        (
+            SimpleNamespace(witness=None),
+            "w[b] not written: only a pixel that a stage computes can be cut down to it",
+        ),
+        (SimpleNamespace(witness="pixel"), "w[b]: judge it with sss-ref witness"),
     ],
 )
 def test_a_witness_is_written_where_there_is_one(finding, line, validated, capsys):
-    validated("dump", "--witness", "w[1]", came=report(finding=finding))
+    validated("dump", "--witness", "w[b]", came=report(finding=finding))
     assert capsys.readouterr().out == f"{line}\n"
 
 

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from noted_sheet import noted
@@ -186,6 +188,17 @@ def test_frames_are_neither_very_high_nor_very_low(scene_file, tmp_path, height,
     changes = {"camera.width": 16, "camera.height": height}
     result = render(load_scene(scene_file, **changes), interpreter="arrays", keep=["image"])
     assert sheet_of(result, tmp_path / "x.png").shape == (104 + 38 + frame + 104 + 18, 36 + 320 + 36, 3)
+
+
+def test_a_tile_is_coloured_where_its_pass_drew(scene_file):
+    """Also where that is the first triangle; a pass whose triangles were not kept, everywhere."""
+    result = render(load_scene(scene_file), interpreter="arrays", keep=["triangle", "depth", "light_distance"])
+    triangle = np.full((32, 48), -1, np.int32)
+    triangle[0, 0], triangle[5, 7] = 0, 3
+    changed = replace(result, buffers={**result.buffers, "triangle": triangle})
+    covered = {tile.name: tile.covered for tile in overview.tiles_of(changed)}
+    assert np.array_equal(covered["depth"], triangle != -1) and np.array_equal(covered["triangle"], triangle != -1)
+    assert covered["light_distance"].all()
 
 
 def tile_of(name, buffer):

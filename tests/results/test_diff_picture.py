@@ -145,3 +145,22 @@ def test_everything_has_its_place_on_the_picture(tmp_path, monkeypatch):
         [57, 84, 158],
         [236, 110, 60],
     ]
+
+
+@pytest.mark.parametrize(
+    ("size", "letters", "shown"),
+    [
+        ((4, 54), 51, f"B: {'b' * 51}"),  # 54 letters of 9 pixels are as wide as a panel of 54 pixels, each 9 times
+        ((4, 54), 52, f"B: ...{'b' * 48}"),
+        ((1100, 1), 30, "B: ...bb"),  # of a panel one pixel wide 8 letters are left
+    ],
+)
+def test_a_caption_is_as_wide_as_its_panel_at_most(tmp_path, monkeypatch, size, letters, shown):
+    monkeypatch.chdir(tmp_path)
+    folders = Path("a"), Path("b" * letters)
+    for value, folder in enumerate(folders):
+        folder.mkdir()
+        np.save(folder / "depth.npy", np.full(size, value, np.float32))
+    notes = noted(monkeypatch)
+    write_diff_picture(Path("x.png"), "depth", *folders)
+    assert [words for kind, _, words, *_ in notes if kind == "text"][2] == shown
