@@ -192,13 +192,16 @@ def test_frames_are_neither_very_high_nor_very_low(scene_file, tmp_path, height,
 
 def test_a_tile_is_coloured_where_its_pass_drew(scene_file):
     """Also where that is the first triangle; a pass whose triangles were not kept, everywhere."""
-    result = render(load_scene(scene_file), interpreter="arrays", keep=["triangle", "depth", "light_distance"])
+    kept = ["triangle", "depth", "light_distance", "coverage", "scattered"]
+    result = render(load_scene(scene_file), interpreter="arrays", keep=kept)
     triangle = np.full((32, 48), -1, np.int32)
     triangle[0, 0], triangle[5, 7] = 0, 3
-    changed = replace(result, buffers={**result.buffers, "triangle": triangle})
+    stencil = np.zeros((32, 48), np.uint8)
+    stencil[2, 3] = 1
+    changed = replace(result, buffers={**result.buffers, "triangle": triangle, "coverage": stencil})
     covered = {tile.name: tile.covered for tile in overview.tiles_of(changed)}
     assert np.array_equal(covered["depth"], triangle != -1) and np.array_equal(covered["triangle"], triangle != -1)
-    assert covered["light_distance"].all()
+    assert np.array_equal(covered["scattered"], stencil == 1) and covered["light_distance"].all()
 
 
 def tile_of(name, buffer):
