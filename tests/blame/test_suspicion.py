@@ -12,8 +12,11 @@ SCENE = SimpleNamespace(method={"camera": SimpleNamespace(name="camera")})
 SHADERS = {"camera": "a file"}
 
 
-def suspected(monkeypatch, others=(), told=(), wrong=True, shaders=SHADERS, ours=False, untried=""):
-    """What is said of a picture whose stage `shade` is wrong. told: settings and inputs that explain it."""
+def suspected(monkeypatch, others=(), told=(), wrong=True, shaders=SHADERS, untried="", **ours):
+    """What is said of a picture whose stage `shade` is wrong.
+
+    told: settings and inputs that explain it. ours: whether our own shaders drew it, if that is said.
+    """
     asked = SimpleNamespace(scopes=[], right=None, passes=[])
 
     def judge(oracle, drawing, dump, profile, scope, clock):
@@ -37,7 +40,7 @@ def suspected(monkeypatch, others=(), told=(), wrong=True, shaders=SHADERS, ours
     monkeypatch.setattr(blaming, "render", lambda scene: "oracle")
     for name, value in (("judge", judge), ("explained", explained), ("Bench", Bench)):
         monkeypatch.setattr(blaming, name, value)
-    return Suspicion(SCENE, "drawing", shaders, ["a stack"], seconds=7.0, ours=ours).blame(), asked
+    return Suspicion(SCENE, "drawing", shaders, ["a stack"], seconds=7.0, **ours).blame(), asked
 
 
 def test_a_right_picture_is_nobodys_fault(monkeypatch):
@@ -58,6 +61,9 @@ def test_where_the_source_alone_decides_nothing_is_explained(monkeypatch, others
     assert said.whose == whose and len(asked.scopes) == 1 and asked.right is None
     assert said.because[:-1] == ("fail: shade", *map(str, others))
     assert asked.passes == [("camera", ["a stack"], SHADERS)]
+    assert whose != COMPILER or said.because[-1].startswith(
+        "our own shaders come out wrong on b" if others[1].ours else "the same source comes out otherwise on one stack"
+    )
 
 
 @pytest.mark.parametrize(
@@ -94,8 +100,8 @@ def test_what_was_not_tried_is_told_at_the_end(monkeypatch):
 
 @pytest.mark.parametrize(
     ("shaders", "ours", "asked_for"),
-    [(SHADERS, False, 1), ({}, True, 1), ({}, False, 0), ({"blur": "a file"}, False, 0)],
+    [(SHADERS, {}, 1), ({}, {"ours": True}, 1), ({}, {}, 0), ({}, {"ours": False}, 0), ({"blur": "a file"}, {}, 0)],
 )
 def test_a_pass_without_files_is_drawn_again_if_our_own_shaders_drew_it(monkeypatch, shaders, ours, asked_for):
-    said, asked = suspected(monkeypatch, [OtherDrawing("a", "shade")], shaders=shaders, ours=ours)
+    said, asked = suspected(monkeypatch, [OtherDrawing("a", "shade")], shaders=shaders, **ours)
     assert len(asked.passes) == asked_for and said.whose == (SHADER if asked_for else UNKNOWN)

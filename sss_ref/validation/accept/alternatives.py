@@ -14,8 +14,9 @@ Ends = tuple[np.ndarray, np.ndarray]  # the low and the high ends of what some p
 class Alternatives:
     """The alternatives that have been found so far.
 
-    number: int (H, W), the place of each of N pixels. every, agreeing: buffer -> float64 (2, N, C), the low and high
-    ends of all alternatives, and of those that agree with what was dumped; low above high where there is none yet.
+    number: int64 (H, W), the place of each of N pixels; of no others. every, agreeing: buffer -> float64 (2, N, C), the
+    low and high ends of all alternatives, and of those that agree with what was dumped; low above high where there is
+    none yet.
     """
 
     number: np.ndarray
@@ -25,7 +26,7 @@ class Alternatives:
     @classmethod
     def none_yet(cls, where: np.ndarray, buffers: Mapping[str, KnownBuffer]) -> "Alternatives":
         """No alternative at the pixels of a mask, bool (H, W), for what these buffers hold."""
-        number = np.full(where.shape, -1)
+        number = np.zeros(where.shape, np.int64)
         number[where] = np.arange(np.count_nonzero(where))
         every, agreeing = ({name: _empty(where, buffer) for name, buffer in buffers.items()} for _ in range(2))
         return cls(number, every, agreeing)

@@ -29,7 +29,7 @@ def test_a_reach_is_the_farther_end_and_infinite_where_there_is_none():
 
 def test_a_buffer_is_exact_if_its_ends_are_itself():
     exact = KnownBuffer.exactly(np.float32([[1, 2]]))
-    assert exact.is_exact and not replace(exact, low=exact.low - 1).is_exact
+    assert exact.span == 0 and exact.is_exact and not replace(exact, low=exact.low - 1).is_exact
     assert not replace(exact, high=exact.high + 1).is_exact and exact.doubt.tolist() == [[False, False]]
 
 

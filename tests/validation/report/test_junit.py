@@ -70,6 +70,7 @@ def test_a_failure_says_what_the_terminal_says(oracle, tmp_path):
 
 def test_nothing_to_judge_is_an_error(tmp_path):
     suite = read(Report((), ("lit",)), tmp_path / "junit.xml")
+    assert (tmp_path / "junit.xml").read_text().startswith("<?xml version='1.0' encoding='utf-8'?>\n<testsuites ")
     assert [suite.get(key) for key in ("tests", "failures", "errors", "skipped")] == ["2", "0", "1", "1"]
     assert suite.find(".//error").get("message") == "empty: no buffer to judge"
 

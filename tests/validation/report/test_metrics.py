@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from sss_ref.cli import main
+from sss_ref.errors import DumpError
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
 from sss_ref.validation.report import metrics
@@ -73,3 +74,11 @@ def test_ssim_of_even_pictures_by_hand():
     theirs[..., 1] = 150
     one = (2 * 100 * 150 + 2.55**2) / (100**2 + 150**2 + 2.55**2)
     assert metrics._ssim(ours, theirs) == pytest.approx((1 + one + 1) / 3, rel=1e-9)  # summed in another order
+
+
+def test_a_flip_that_ends_its_process_is_told(oracle, tmp_path, monkeypatch):
+    process = tmp_path / "flip.py"
+    process.write_text("raise SystemExit(3)")
+    monkeypatch.setattr(metrics, "PROCESS", process)
+    with pytest.raises(DumpError, match=r"^--metrics: expected a number from FLIP, got .* exit status 3\.; leave"):
+        [*likeness(oracle, {"image": oracle["image"]})]

@@ -72,6 +72,7 @@ def test_a_histogram_has_a_column_for_each_class():
         '<rect x="27" y="8.0" width="8" height="8.0"/><rect class="base" x="27" y="16" width="8" height="1"/></svg>'
     )
     assert 'height="0.0"' in report_table._histogram((0, 0), ("0", "1"))
+    assert 'y="0.0" width="8" height="16.0"' in report_table._histogram((1, 0), ("0", "1"))
 
 
 def test_rows_are_grouped_by_passes():
