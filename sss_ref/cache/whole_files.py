@@ -4,6 +4,7 @@ import hashlib
 import logging
 import os
 import shutil
+from contextlib import suppress
 from pathlib import Path
 
 DIGEST = 32  # bytes of SHA-256 before the content of a file
@@ -35,6 +36,8 @@ def keep(path: Path, content: bytes) -> None:
         part.write_bytes(_digest(path, content) + content)
         part.replace(path)
     except OSError as error:
+        with suppress(OSError):
+            part.unlink()
         _say(path, "a file that can be written", error.strerror or "none", "the next process compiles again")
 
 

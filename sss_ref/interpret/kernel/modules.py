@@ -14,7 +14,7 @@ from numba import types
 from sss_ref.cache import object_files
 from sss_ref.cache.compiled import SETTINGS, callable_compiled
 from sss_ref.cache.kernel_sources import sources_hash
-from sss_ref.cache.linked import address_of_linked, link, make_known
+from sss_ref.cache.linked import address_of_linked, make_known
 from sss_ref.interpret.kernel import assembly, fragment_rows
 from sss_ref.interpret.kernel.elementary_rows import ELEMENTARY_ROWS
 from sss_ref.interpret.kernel.row_function import row_function
@@ -45,17 +45,19 @@ def own_addresses(source: StageSource, name: str) -> dict[str, int]:
     if SETTINGS.DISABLE_JIT:
         module = imported(source.text, name)
         return {each: getattr(module, each).address for each in names}
+    if not names:
+        return {}
     make_scalars_known(source.text)
-    prefix = linked(source.text, name)
+    prefix = linked(source.text, name, names[0])
     return {each: address_of_linked(f"{prefix}.{each}") for each in names}
 
 
 @cache
-def linked(source: str, name: str) -> str:
-    """Make the functions of rows in a module callable; what stands before the dot in their names there."""
+def linked(source: str, name: str, function: str) -> str:
+    """Make the functions of rows in a module, of which one is told, callable; what precedes the dot in their names."""
     prefix = f"sss_ref_{hashlib.sha256(source.encode()).hexdigest()[:16]}"
     sources = repr([source, sources_hash(assembly.__file__), sources_hash(object_files.__file__)])
-    link(object_files.object_code(name, sources, lambda: assembly.assembled(source, prefix)))
+    object_files.link_object_code(name, sources, lambda: assembly.assembled(source, prefix), f"{prefix}.{function}")
     return prefix
 
 
@@ -89,7 +91,7 @@ def address_of(function: Callable[..., None]) -> int:
 def _compiled(function: Callable[..., None]) -> int:
     """Where it begins: one of fragment_rows.py translated with its module, any other compiled by numba."""
     if function in fragment_rows.ALL and not SETTINGS.DISABLE_JIT:
-        prefix = linked(inspect.getsource(fragment_rows), "fragment_rows")
+        prefix = linked(inspect.getsource(fragment_rows), "fragment_rows", fragment_rows.ALL[0].__name__)
         return address_of_linked(f"{prefix}.{function.__name__}")
     address: int = row_function(function).address
     return address
