@@ -62,7 +62,7 @@ SQUARE = [(0.4, 0.4, 0.5), (6.6, 0.4, 0.5), (6.6, 6.6, 0.5), (0.4, 6.6, 0.5)]
 
 def test_inside_must_outside_must_not_be_covered(draws):
     found = seen(draws[0], SQUARE, [(0, 1, 2), (0, 2, 3)])
-    assert (found.covered[1:7, 1:7] == MUST).all()
+    assert (found.covered[1:7, 1:7] == MUST).all() and (MUST_NOT, MAY, MUST) == (0, 1, 2)
     assert (found.covered[[0, 7]] == MUST_NOT).all() and (found.covered[:, [0, 7]] == MUST_NOT).all()
 
 
@@ -292,6 +292,7 @@ def test_a_number_is_that_of_a_candidate_or_none_where_nothing_need_be(triangle,
         ((0.25, 1, 1, 1), (9, -1, -1, -1), [False, True, True, True]),  # that of the other triangle; nothing is seen
         ((0.8125, 0.5, 0.1875, 1), (9, -1, -1, -1), [True, False, False, True]),  # of a triangle that is not seen
         ((1, 1, 1, 1), (7, 9, 7, -1), [False, False, False, True]),
+        ((1, 1, 1, 1), (0, 0, 0, 0), [False] * 4),  # triangle 0 is one
     ],
 )
 def test_a_depth_is_that_of_the_triangle_beside_it(depth, triangle, holds):
@@ -327,6 +328,20 @@ def test_a_right_depth_reaches_as_far_as_its_triangle_or_to_what_was_dumped():
     assert reach()["depth"] == [0.25, 0.125, 0, 0]
     assert reach(depth=(0.375, 0.625, 0.25, 1), triangle=(7, 9, 7, -1))["depth"] == [0.25, 0.125, 0.75, 0]
     assert reach(depth=(0.8125, 0.5, 1, 1), triangle=(9, 9, -1, -1))["depth"] == [0.5625, 0.125, 0, 0]
+
+
+@pytest.mark.parametrize(
+    ("depth", "expected"),
+    [
+        ((0.125, 0.4375, 0.1875, 1), [0.375, 0.1875, 0, 0]),
+        ((0.5, 0.625, 0.125, 1), [0.375, 0.1875, 0, 0]),
+        ((0.75, 0.5, 0.25, 1), [0, 0.125, 0, 0]),
+    ],
+)
+def test_a_depth_reaches_to_the_ends_of_what_covers_its_sample_and_holds_it(depth, expected):
+    """Triangle 9 covers no sample at the first pixel, nor 7 at the third."""
+    ours = {"depth": np.float32([depth])}
+    assert by_hand().reach(ours, ours, exactly(ours["depth"]))["depth"].tolist() == [expected]
 
 
 def test_a_wrong_one_lies_beyond_its_reach():
