@@ -5,6 +5,8 @@ import socket
 import subprocess
 import sys
 import time
+from contextlib import contextmanager
+from types import SimpleNamespace
 
 import pytest
 from data_folder import TETRAHEDRON
@@ -14,6 +16,7 @@ from sss_ref.batch import cluster
 from sss_ref.batch.cluster import on_cluster, versions, work_alike
 from sss_ref.batch.run import BatchExecution, run
 from sss_ref.batch.sweep_file import checked_sweep
+from sss_ref.batch.workshop import ItemOutcome
 from sss_ref.cli import main
 from sss_ref.errors import DumpError, RenderError, SceneError
 
@@ -212,3 +215,104 @@ def scheduler_address(folder):
             return found[0]
         time.sleep(0.1)
     pytest.fail("the scheduler did not begin")
+
+
+class Begun:
+    """Stands in for a future of an item."""
+
+    def __init__(self, found, item):
+        self.found, self.item = found, item
+
+    def exception(self, timeout):
+        return None
+
+    def result(self, timeout):
+        return self.found.outcome(self.item)
+
+
+class Cluster:
+    """Stands in for a cluster and its client: items are finished one at a time, the first that was begun first.
+
+    threads: of its workers. killed: item -> how often its workers end with it.
+    """
+
+    def __init__(self, threads, killed=()):
+        self.threads, self.killed = threads, dict(killed)
+        self.flying, self.begun, self.made, self.waited, self.closed, self.most = [], [], [], [], [], 0
+
+    def client(self, address, timeout, set_as_default):
+        self.made.append((address, timeout, set_as_default))
+        return self
+
+    def wait_for_workers(self, count, timeout):
+        self.waited.append((count, timeout))
+
+    def run(self, function, *given, on_error="raise"):
+        return {"tcp://worker": function(*given)}
+
+    def nthreads(self):
+        return self.threads
+
+    def submit(self, work, expected, packed, item, pure):
+        assert not pure and expected == versions()
+        begun = Begun(self, item)
+        self.begun.append(item)
+        self.flying.append(begun)
+        self.most = max(self.most, len(self.flying))
+        return begun
+
+    def outcome(self, item):
+        if self.killed.get(item, 0):
+            self.killed[item] -= 1
+            raise distributed.KilledWorker("task", "worker", 3)
+        return ItemOutcome(item, "rendered")
+
+    def wait(self, futures, return_when, timeout):
+        self.waited.append(timeout)
+        assert return_when == "FIRST_COMPLETED" and futures == self.flying
+        return SimpleNamespace(done=[self.flying.pop(0)])
+
+    @contextmanager
+    def as_current(self):
+        yield
+
+    def close(self, timeout):
+        self.closed.append(timeout)
+
+
+@pytest.fixture
+def stood_in(tmp_path, monkeypatch):
+    """Renders ten items by a cluster that is made up; the outcomes in their order."""
+
+    def outcomes(found, count=10):
+        monkeypatch.setattr(distributed, "Client", found.client)
+        monkeypatch.setattr(distributed, "wait", found.wait)
+        job = SimpleNamespace(folder=tmp_path, packed=lambda: b"job")
+        (tmp_path / "batch.json").touch()
+        with on_cluster("tcp://x:1") as executor:
+            return list(executor(job, range(count)))
+
+    return outcomes
+
+
+@pytest.mark.parametrize(("threads", "most"), [({"a": 1}, 2), ({"a": 1, "b": 2}, 6), ({}, 2), ({"a": 20}, 10)])
+def test_two_items_a_thread_are_in_flight(threads, most, stood_in):
+    found = Cluster(threads)
+    assert [each.item for each in stood_in(found)] == list(range(10))
+    assert found.begun == list(range(10)) and found.most == most
+    assert found.made == [("tcp://x:1", 10.0, False)] and found.closed == [10.0]
+    assert found.waited == [(1, 10.0), *[60.0] * 10]
+
+
+def test_an_item_that_was_lost_is_begun_again_while_no_other_is_in_flight(stood_in):
+    """Once more; after that it is told as failed."""
+    found = Cluster({"a": 2}, {3: 1, 7: 2})
+    outcomes = stood_in(found)
+    assert [each.item for each in outcomes] == [0, 1, 2, 4, 5, 6, 8, 9, 3, 7]
+    assert [each.item for each in outcomes if each.state == "failed"] == [7]
+    assert found.begun == [*range(10), 3, 7]
+
+
+def test_no_item_is_none_begun(stood_in):
+    found = Cluster({"a": 1})
+    assert stood_in(found, 0) == [] and found.begun == []
