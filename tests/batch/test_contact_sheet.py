@@ -46,6 +46,15 @@ def test_everything_has_its_place_on_the_sheet(tmp_path, monkeypatch):
         assert sheet.size == (436, 288)
 
 
+@pytest.mark.parametrize(("letters", "shown"), [(20, "c" * 20), (21, f"{'c' * 17}...")])
+def test_a_caption_is_as_wide_as_its_tile_at_most(tmp_path, monkeypatch, letters, shown):
+    """20 letters of 7.5 pixels are 150."""
+    Image.new("RGB", (150, 100)).save(tmp_path / "a.png")
+    notes = noted(monkeypatch)
+    write_contact_sheet(tmp_path / "sheet.png", [tmp_path / "a.png"], ["c" * letters])
+    assert [words for kind, _, words, *_ in notes if kind == "text"] == [shown]
+
+
 @pytest.mark.parametrize(("count", "step"), [(400, 1), (401, 2)])
 def test_of_many_pictures_evenly_chosen_ones_are_shown(tmp_path, monkeypatch, count, step):
     Image.new("RGB", (2, 2)).save(tmp_path / "a.png")
