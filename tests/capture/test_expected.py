@@ -54,9 +54,9 @@ def test_colours_may_be_encoded():
 
 
 def test_texture_coordinates_may_run_downwards_and_nothing_stays_nothing():
-    plain, downwards = held(sought("uv", [[0.25, 0.125], [-1.0, -1.0]]))
-    assert plain[0] == [[0.25, 0.125], [-1, -1]]
-    assert downwards == ([[0.25, 0.875], [-1, -1]], {"scale": [1, -1], "offset": [0, 1]}, ())
+    plain, downwards = held(sought("uv", [[0.25, 0.125], [0.5, 0.0], [-1.0, -1.0]]))
+    assert plain[0] == [[0.25, 0.125], [0.5, 0], [-1, -1]]
+    assert downwards == ([[0.25, 0.875], [0.5, 1], [-1, -1]], {"scale": [1, -1], "offset": [0, 1]}, ())
 
 
 @pytest.mark.parametrize(("parallel", "along"), [(False, [[1], [1.5], [3]]), (True, [[1], [2], [3]])])

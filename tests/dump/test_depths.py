@@ -70,6 +70,17 @@ def test_the_loss_encloses_what_rounding_the_distance_does(kind, dtype, loss):
         assert least < (2e-3 if dtype == "f2" else 1e-6)
 
 
+@pytest.mark.parametrize(
+    ("depths", "z"), [([0.0, 0.5, 0.75, 1.0], 10 / 10.25), ([0.75, 0.9], 10 / 5.375), ([0.0, 1.0], 20.0)]
+)
+def test_the_nearest_that_is_drawn_loses_most(depths, z):
+    """By the derivative f n / (f - n) / z^2 where f = 20 and n = 0.5; where nothing is drawn at the far plane."""
+    depth, slope = np.float32([depths]), 10 / 19.5 / z**2
+    assert window_loss(Loss(least=0.1), depth, VIEW).least == pytest.approx(slope * 0.1 + ROUNDING, rel=1e-12)
+    moved = window_loss(Loss(relative=0.01), depth, VIEW).least
+    assert moved == pytest.approx(slope * z * (0.01 + ROUNDING) + ROUNDING, rel=1e-12)
+
+
 FLAT = View("camera", np.zeros(3), np.array([0, 0, -1.0]), np.array([0, 1.0, 0]), Orthographic(3.0), 0.5, 20.5, 6, 4)
 
 

@@ -9,6 +9,7 @@ from sss_ref.errors import DumpError
 def test_region():
     assert parsed_region("1,2,3,4", 4, 6) == Region(1, 2, 3, 4)
     assert parsed_region(" 0, 0, 1, 1 ", 1, 1) == Region(0, 0, 1, 1)
+    assert parsed_region("00000001,0,1,1", 4, 6) == Region(1, 0, 1, 1)
     buffer = np.arange(24).reshape(6, 4)
     assert buffer[Region(1, 2, 3, 4).slices].tolist() == [[4 * row + c for c in (1, 2, 3)] for row in (2, 3, 4, 5)]
 
@@ -29,6 +30,7 @@ def test_region():
         "0,0,1.5,1",
         "999999999999999999999,0,1,1",
         "²,0,1,1",
+        "000000001,0,1,1",
     ],
 )
 def test_no_region(text):
