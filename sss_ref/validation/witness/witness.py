@@ -78,8 +78,7 @@ class Witness:
     @property
     def outcome(self) -> str:
         """One of `OUTCOMES`: what a run of `validate` says of this pixel."""
-        shape = (1, 1) if CHANNELS[self.kind] == 1 else (1, 1, CHANNELS[self.kind])
-        expected, got, reach = (each.reshape(shape) for each in (self.expected, self.got, self.reach))
+        expected, got, reach = (each.reshape(1, 1, -1) for each in (self.expected, self.got, self.reach))
         doubt = np.reshape(self.known.doubt != 0, (1, 1))
         drawn, everywhere = self.drawn, np.ones((1, 1), bool)
         check = Check(drawn.pass_name, self.situation.stage.name, drawn.buffer, everywhere, expected, got, reach, doubt)

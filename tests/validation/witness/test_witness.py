@@ -28,6 +28,18 @@ def chosen(value: float, limit: float) -> Shade:
     return Shade(select(value < limit, 2.0, 2.5))
 
 
+class Pair(NamedTuple):
+    """Two numbers."""
+
+    pair: vec2
+
+
+@stage(source="a test")
+def turned(values: vec2) -> Pair:
+    """Two numbers, the other way round."""
+    return Pair(vec2(values.y, values.x))
+
+
 @stage(source="a test")
 def looked_up(picture: Texture[float], uv: vec2) -> Shade:
     """One of several texels."""
@@ -54,6 +66,12 @@ def test_what_is_given_exactly_has_one_right_value():
         assert painted_witness("tinted", wrong).outcome == "fail"
     assert painted_witness("steps", np.int32([0])).outcome == "certain"
     assert painted_witness("steps", np.int32([1])).outcome == "fail"
+
+
+@pytest.mark.parametrize(("got", "outcome"), [((2, 1), "certain"), ((2, 2), "fail"), ((1, 2), "fail")])
+def test_two_components_are_judged_each(got, outcome):
+    given = {"values": vec2(F(1), F(2))}
+    assert Witness(Situation(turned, given, given), "pair", F(got), PLAIN, PROFILES["ieee"]).outcome == outcome
 
 
 def test_what_does_not_come_through_widens_nothing():
