@@ -116,13 +116,11 @@ def test_the_command_says_what_became_of_each_file(tmp_path, capsys):
 
 
 def test_solutions_come_into_a_folder_of_their_own(tmp_path):
-    names = [each.name for each in write_course(tmp_path / "own", solutions=True)]
+    """In a folder that may be deep, with a record for people to read."""
+    folder = tmp_path / "course" / "own"
+    names = [each.name for each in write_course(folder, solutions=True)]
     shipped = sorted(path.name for path in own_folder.shipped_folder("solutions").glob("*.py"))
     assert shipped and [name for name in names if "/" in name] == [f"solutions/{name}" for name in shipped]
-    assert sorted(path.name for path in (tmp_path / "own" / "solutions").iterdir()) == shipped
-
-
-def test_a_new_folder_may_be_deep_and_its_record_is_read_by_people(tmp_path):
-    write_course(tmp_path / "course" / "own")
-    text = (tmp_path / "course" / "own" / own_folder.RECORD).read_text(encoding="utf-8")
+    assert sorted(path.name for path in (folder / "solutions").iterdir()) == shipped
+    text = (folder / own_folder.RECORD).read_text(encoding="utf-8")
     assert text.startswith('{\n "START.ipynb": "') and text.endswith("\n}\n")
