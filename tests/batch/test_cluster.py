@@ -6,6 +6,7 @@ import subprocess
 import sys
 import time
 from contextlib import contextmanager
+from queue import Queue
 from types import SimpleNamespace
 
 import pytest
@@ -284,7 +285,16 @@ class Cluster:
 def stood_in(tmp_path, monkeypatch):
     """Renders ten items by a cluster that is made up; the outcomes in their order."""
 
+    class Noted(Queue):
+        """Notes how long an answer is waited for."""
+
+        def get(self, block=True, timeout=None):
+            outcomes.patience.append(timeout)
+            return super().get(block, timeout)
+
     def outcomes(found, count=10):
+        outcomes.patience = []
+        monkeypatch.setattr(cluster, "Queue", Noted)
         monkeypatch.setattr(distributed, "Client", found.client)
         monkeypatch.setattr(distributed, "wait", found.wait)
         job = SimpleNamespace(folder=tmp_path, packed=lambda: b"job")
@@ -301,7 +311,15 @@ def test_two_items_a_thread_are_in_flight(threads, most, stood_in):
     assert [each.item for each in stood_in(found)] == list(range(10))
     assert found.begun == list(range(10)) and found.most == most
     assert found.made == [("tcp://x:1", 10.0, False)] and found.closed == [10.0]
-    assert found.waited == [(1, 10.0), *[60.0] * 10]
+    assert found.waited == [(1, 10.0), *[60.0] * 10] and stood_in.patience == [20.0]
+
+
+def test_a_worker_with_other_versions_renders_nothing(monkeypatch):
+    monkeypatch.setattr(cluster, "work", lambda packed, item: ("rendered", packed, item))
+    assert work_alike(versions(), b"job", 3) == ("rendered", b"job", 3)
+    outcome = work_alike("sss_ref 0", b"job", 3)
+    assert (outcome.item, outcome.state) == (3, "failed")
+    assert outcome.message.startswith("item 3: expected a worker with sss_ref 0, got sss_ref ")
 
 
 def test_an_item_that_was_lost_is_begun_again_while_no_other_is_in_flight(stood_in):
