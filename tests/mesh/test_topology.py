@@ -21,6 +21,11 @@ def test_equal_positions_merge_and_minus_zero_is_zero():
     assert number[0] == number[2] != number[1]
 
 
+def test_positions_that_differ_by_a_bit_are_two():
+    tiny = np.float32([0, 1e-45, 1e-9, np.nextafter(np.float32(1e-9), np.float32(1))])
+    assert len({*merged(np.stack([tiny, tiny * 0, tiny * 0], axis=1)).tolist()}) == 4
+
+
 def test_watertight_despite_split_vertices():
     corners = TETRAHEDRON[OUTWARD].reshape(-1, 3)
     assert is_watertight(TETRAHEDRON, OUTWARD)

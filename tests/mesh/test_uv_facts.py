@@ -61,6 +61,7 @@ def test_signs_are_exact():
     corners = np.stack([a, b, np.nextafter(middle, rng.choice(F([-1, 2]), middle.shape))], axis=1)
     corners[::7, 2] = corners[::7, 1]
     corners[1::7] *= F(1e-30)
+    corners[2::7] *= F(1e12)
     signs = area_signs(corners)
     assert signs.tolist() == [exact_sign(each) for each in corners]
     assert set(signs) == {-1, 0, 1}
