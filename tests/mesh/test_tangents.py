@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from bodies import body
 from scenes import sphere, written
 
 from sss_ref.errors import MeshError
@@ -54,6 +55,15 @@ def test_without_uvs(tmp_path):
     path = written(tmp_path / "a.obj", *sphere(4)[:2])
     with pytest.raises(MeshError, match="expected UVs for tangents, got none; set mesh"):
         with_tangents(load_mesh(Path(path)))
+
+
+def test_vertices_of_uvs_that_differ_by_a_bit_have_tangents_of_their_own():
+    """At one place two corners, of a map that goes along x and of one that goes along y."""
+    points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 0), (0, 1, 0), (-1, 0, 0)]
+    uvs = [(0, 0), (1, 0), (0, 1), (1e-9, 0), (1, 0), (0, 1)]
+    tangents = with_tangents(body(points, [(0, 1, 2), (3, 4, 5)], uvs=uvs)).tangents
+    assert tangents[0].tolist() == [1, 0, 0, 1]
+    assert tangents[3] == pytest.approx([0, 1, 0, 1], abs=1e-6)
 
 
 def naive_tangents(mesh):
