@@ -27,3 +27,23 @@ def test_without_area():
     assert stretch(SURFACE, [(0, 0), (0.5, 0.5), (1, 1)]) == [0, 0]
     assert stretch([(0, 0, 0), (0, 0, 0), (0, 2, 0)], [(0, 0), (1, 0), (0, 1)]) == [0, 2]
     assert stretch([(0, 0, 0), (1e30, 0, 0), (0, 2, 0)], [(0, 0), (1e-9, 0), (0, 1)]) == [LONGEST, 2]
+
+
+def test_the_bits_are_those_of_the_formula():
+    """One triangle after the other, with Python's numbers; the last has no area on the map."""
+    random = np.random.default_rng(9)
+    points, uvs = random.normal(size=(63, 3)), np.float32(random.random((63, 2)))
+    uvs[-3:] = uvs[-1]
+    triangles = np.arange(63).reshape(21, 3)
+    with np.errstate(all="raise"):
+        found = stretch_of(points, uvs, triangles)
+    assert found[-1].tolist() == [0, 0]
+    for steps, (p0, p1, p2), corners in zip(
+        found[:-1], points[triangles].tolist(), uvs[triangles].tolist(), strict=False
+    ):
+        e1, e2 = ([y - x for x, y in zip(p0, end, strict=True)] for end in (p1, p2))
+        (a1, b1), (a2, b2) = ([y - x for x, y in zip(corners[0], end, strict=True)] for end in corners[1:])
+        det = a1 * b2 - a2 * b1
+        along_u = [(p * b2 - q * b1) / det for p, q in zip(e1, e2, strict=True)]
+        along_v = [(q * a1 - p * a2) / det for p, q in zip(e1, e2, strict=True)]
+        assert steps.tolist() == [np.sqrt((x * x + y * y) + z * z) for x, y, z in (along_u, along_v)]
