@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from bodies import body
 
 from sss_ref.errors import MeshError
 from sss_ref.mesh.uv_facts import UvFacts, area_signs, uv_facts
@@ -72,6 +73,11 @@ def test_signs_that_float64_gets_wrong():
     e = 2.0**-23
     corners = F([[(1 + e, 1 + 2 * e), (1 + 3 * e, 1 + 4 * e), (2 - e, 2 - e / 2)]])
     assert area_signs(corners).tolist() == [exact_sign(corners[0])]
+
+
+def test_where_nothing_was_moved_nothing_is_said_to_be():
+    mesh = body([(0, 0, 0), (1, 0, 0), (0, 1, 0)], uvs=[(0, 0), (1, 0), (0, 1)])
+    assert uv_facts(mesh) == UvFacts(shifted=0, mirrored=0, zero_area=0, out_of_range=0, seams=0, bounds=(0, 0, 1, 1))
 
 
 def test_no_uvs(tmp_path):

@@ -18,6 +18,12 @@ def test_words_are_what_stands_between_blanks():
     assert words.rest(0) == b"two#three"
 
 
+def test_whatever_python_takes_for_a_blank_is_one():
+    for number in range(256):
+        words = Words.of(b"a%cb\n" % number, comments=False)
+        assert len(words) == 1 + bytes([number]).isspace(), number
+
+
 def test_words_with_marks_of_comments_in_them():
     words = Words.of(TEXT, comments=False)
     assert [words[k] for k in range(len(words))] == [b"one", b"two#three", b"#", b"four", b"five", b"six"]

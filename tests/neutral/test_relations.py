@@ -146,18 +146,23 @@ class Copying(Noting):
     """Whatever the pass, it writes what lies in lit."""
 
     def one(self, scene, this_pass, buffers):
+        self.drawn.append(buffers["lit"])
         return dict.fromkeys(this_pass.outputs, buffers["lit"])
 
 
-@pytest.mark.parametrize("name", ["a larger picture", "a moved picture"])
-def test_what_a_pass_writes_lies_where_the_old_picture_does(easel, name):
+@pytest.mark.parametrize(("name", "row", "column"), [("a larger picture", 0, 0), ("a moved picture", 3, 5)])
+def test_what_a_pass_writes_lies_where_the_old_picture_does(easel, name, row, column):
     """Drawn are those passes alone of which every buffer is there: the blur, and nothing that reads what it writes."""
     scene = easel().scene
     lit = np.full((8, 8, 3), scene.clear("lit"), np.float32)
     lit[1:7, 1:7] = np.arange(6 * 6 * 3).reshape(6, 6, 3) + 1
     needed = scene.method["blur"].needs & set(scene.method.outputs)
     buffers = {each: lit if each == "lit" else np.full((8, 8), scene.clear(each)) for each in needed}
-    (pair,) = RELATIONS[name](Easel(scene, Copying(buffers), buffers))
+    given = Easel(scene, Copying(buffers), buffers)
+    (pair,) = RELATIONS[name](given)
+    before, after = given.artist.drawn
+    assert before is lit and after.shape == (8 + 9, 8 + 13, 3)
+    assert after[row : row + 8, column : column + 8].tolist() == lit.tolist()
     assert pair.buffer == "scattered" and pair.before.tolist() == pair.after.tolist() == lit.tolist()
 
 

@@ -221,6 +221,16 @@ def test_sides_that_can_be_drawn(side, drawn):
             first_scene(mesh, "a")
 
 
+@pytest.mark.parametrize(("low", "drawn"), [(-4096.0, True), (-4097.0, False)])
+def test_the_longest_side_that_is_drawn_is_a_million_millions(low, drawn):
+    mesh = mesh_of([(low, 0, 0), (999999995904.0, 0, 0), (0, 1, 0)])
+    if drawn:
+        assert "[camera]" in first_scene(mesh, "a")
+    else:
+        with pytest.raises(SceneError, match="expected a mesh whose longest side is"):
+            first_scene(mesh, "a")
+
+
 def test_a_file_that_is_there_is_kept_unless_it_may_go(tmp_path):
     target = tmp_path / "a.toml"
     write_first_scene("tetrahedron", target, replace=False)

@@ -119,6 +119,11 @@ def test_a_kernel_of_one_tap_reaches_nowhere():
 def test_a_technique_has_its_own_reach():
     found = uniforms({"method": "separable", "diffusion": {"reach_mm": 16.0}})
     assert found["ahead"].tolist() == [0, 0, -0.25]
+    short, shortest = (
+        uniforms({"method": "separable", "mm_per_unit": 1.0, "diffusion": {"reach_mm": reach}})["ahead"].tolist()
+        for reach in (2e-30, 1e-30)
+    )
+    assert short == [0, 0, np.float32(-1 / 2e-30)] and shortest == [0, 0, 0]
 
 
 def test_what_is_stored_in_other_texels_is_cleared_to_zero():

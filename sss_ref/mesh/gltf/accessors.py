@@ -20,7 +20,7 @@ COMPONENTS: dict[int, tuple[str, np.dtype[Any]]] = {  # component type -> its na
     5125: ("unsigned int", np.dtype("<u4")),
     5126: ("float", np.dtype("<f4")),
 }
-WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
+WIDTH = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}  # of the forms that anything here has
 BUDGET = 2**24  # elements in all that may be read: vertices and corners at every place where they are drawn
 
 
