@@ -222,6 +222,23 @@ def test_cut_short_anywhere(tmp_path, form, elements):
         )
 
 
+@pytest.mark.parametrize("count", ["-1", "2.5", "nan", "1e300", "1000"])
+@pytest.mark.parametrize("row", [b"3 0 2 1\n", b"3 1 2 3\n"])
+def test_a_list_whose_length_is_none(tmp_path, count, row):
+    content = ply(VERTEX, FACE).replace(row, row.replace(b"3", count.encode(), 1))
+    assert refusal(tmp_path, "a.ply", content) == "expected the 8 elements it declares, got 28 numbers" + AGAIN
+
+
+@pytest.mark.parametrize("order", ["<", ">"])
+def test_a_list_of_less_than_no_numbers(tmp_path, order):
+    form = "binary_little_endian" if order == "<" else "binary_big_endian"
+    content = ply(VERTEX, ("face", ["list char int vertex_indices"], FACE[2]), form=form)
+    at = len(content) - 4 * 13
+    assert content[at] == 3
+    wrong = content[:at] + b"\xff" + content[at + 1 :]
+    assert refusal(tmp_path, "a.ply", wrong) == "expected the 8 elements it declares, got 100 bytes" + AGAIN
+
+
 @pytest.mark.parametrize("form", FORMS)
 def test_what_is_behind_the_last_element_is_noted(tmp_path, form):
     behind = b"1 2\n3\n" if form == "ascii" else b"12345"
