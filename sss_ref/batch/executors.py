@@ -3,11 +3,13 @@
 import multiprocessing
 import os
 import signal
+import sys
 import threading
 from collections import Counter, deque
 from collections.abc import Callable, Generator, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import contextmanager
 from multiprocessing.connection import wait as wait_for_end
 
 from sss_ref.batch.workshop import ItemOutcome, Job, work
@@ -66,7 +68,8 @@ def _until_broken(count: int, packed: bytes, left: deque[int]) -> Generator[Item
     try:
         while left or in_flight:
             while left and len(in_flight) < IN_FLIGHT * count:
-                in_flight[pool.submit(work, packed, left[0])] = left[0]
+                with _interrupted_alone():
+                    in_flight[pool.submit(work, packed, left[0])] = left[0]
                 left.popleft()
             for future in wait(in_flight, return_when=FIRST_COMPLETED).done:
                 outcome = future.result()
@@ -79,6 +82,22 @@ def _until_broken(count: int, packed: bytes, left: deque[int]) -> Generator[Item
     finally:
         pool.shutdown(cancel_futures=True)
     return []
+
+
+@contextmanager
+def _interrupted_alone() -> Iterator[None]:
+    """Keep Ctrl-C from processes that are started meanwhile, which would print what they import.
+
+    What is blocked here stays blocked in them, from before they can ignore it. This one gets it all the same.
+    """
+    if sys.platform == "win32":
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _begin() -> None:
