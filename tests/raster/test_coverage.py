@@ -70,14 +70,18 @@ WIDE_ONES = [
     [(0.5, 0.5), (63.25, 7.125), (20.75, 55.5)],
     [(3, 3), (70, 4), (36, 5)],
     [(3, 40), (70, 40 + 1 / 256), (99, 40 + 2 / 256)],
+    [(0, 9), (60, 10), (9, 50)],
+    [(20, 40), (80, 41), (70, 2)],
 ]
 
 
 @pytest.mark.parametrize("turn", [(0, 1, 2), (2, 1, 0), (1, 2, 0)])
 @pytest.mark.parametrize("samples", WIDE_ONES)
-def test_the_covered_columns_of_a_row_are_those_where_all_three_edges_accept(samples, turn):
+@pytest.mark.parametrize("step", [STEP, 1])
+def test_the_covered_columns_of_a_row_are_those_where_all_three_edges_accept(samples, turn, step):
     """By trying each: at corners and edges on samples, and in rows of which none is covered."""
-    three = edges(flat([turn], samples), 0, STEP)
+    piece = flat([turn], samples)
+    three = edges(piece._replace(snapped=piece.snapped // (STEP // step)), 0, step)
     for row in range(-1, 73):
         for first, last in ((0, 99), (12, 64), (40, 40)):
             tried = [k for k in range(first, last + 1) if all(at(each, k, row) >= least(each) for each in three)]
