@@ -136,16 +136,16 @@ def mutated(sample: Sample, limit: Limit) -> Iterator[Hypothesis]:
 
     Those that compute the same are one explanation, which says several: no buffer can tell them apart.
     """
-    few, alike = sample.thinned(), dict[bytes, list[Mutant]]()
+    few, alike = sample.thinned(), dict[bytes, tuple[Fit, list[str]]]()
     for mutant in limit.within("mistakes in the source", mutants(_own(sample))):
         values = _values_of(mutant, few)
-        if values is not None and min(few.fit(values)) >= ENOUGH:
-            alike.setdefault(values.tobytes(), []).append(mutant)
-    for group in alike.values():
-        whole = _values_of(group[0], sample)
+        if values is None or min(few.fit(values)) < ENOUGH:
+            continue
+        whole = _values_of(mutant, sample)
         if whole is not None:
-            text = any_of([mutant.description for mutant in group])
-            yield Charge(text, SOURCE).fitting(sample.fit(whole), MUTANT)
+            alike.setdefault(whole.tobytes(), (sample.fit(whole), []))[1].append(mutant.description)
+    for fit, texts in alike.values():
+        yield Charge(any_of(texts), SOURCE).fitting(fit, MUTANT)
 
 
 def _values_of(mutant: Mutant, sample: Sample) -> np.ndarray | None:

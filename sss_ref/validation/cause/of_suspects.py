@@ -11,7 +11,7 @@ from sss_ref.validation.cause.mistaken import stages_instead, stages_misread, st
 from sss_ref.validation.cause.of_stages import Tried, other_buffers, other_uniforms
 from sss_ref.validation.cause.other_numbers import other_numbers
 from sss_ref.validation.cause.puzzle import Puzzle
-from sss_ref.validation.cause.sample import Sample
+from sss_ref.validation.cause.sample import Fit, Sample
 from sss_ref.validation.clock import Limit
 
 Mistakes = Callable[[Stage], Iterator[tuple[Charge, Stage]]]
@@ -32,15 +32,16 @@ def of_suspects(row: Sample, puzzle: Puzzle) -> Iterator[Hypothesis]:
 
 def mutated_suspects(row: Sample, limit: Limit) -> Iterator[Hypothesis]:
     """Mistakes in the source of the stages before the last; those that compute the same are one explanation."""
-    few, alike = row.thinned(), dict[bytes, tuple[Chain, list[str]]]()
+    few, alike = row.thinned(), dict[bytes, tuple[Fit, list[str]]]()
     for charge, chain in limit.within("mistakes in the source of stages before", _chains(row, stages_mutated)):
         values = _carried(few, chain)
-        if values is not None and min(few.fit(values)) >= ENOUGH:
-            alike.setdefault(values.tobytes(), (chain, []))[1].append(charge.text)
-    for chain, texts in alike.values():
+        if values is None or min(few.fit(values)) < ENOUGH:
+            continue
         whole = _carried(row, chain)
         if whole is not None:
-            yield Charge(any_of(texts), SOURCE).fitting(row.fit(whole), MUTANT)
+            alike.setdefault(whole.tobytes(), (row.fit(whole), []))[1].append(charge.text)
+    for fit, texts in alike.values():
+        yield Charge(any_of(texts), SOURCE).fitting(fit, MUTANT)
 
 
 def _before(row: Sample, mistakes: Mistakes) -> Tried:
