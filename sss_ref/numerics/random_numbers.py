@@ -67,7 +67,7 @@ def whole_numbers(low: np.ndarray, high: np.ndarray, seed: int = 0) -> np.ndarra
 def one_of_each_run(length: int, count: int) -> np.ndarray:
     """Of places 0 to length - 1 a random one of each of `count` runs of them, ascending, int64 (count,).
 
-    count: at most the length. A run is as long as the next, or one longer.
+    A run is as long as the next, or one longer; of fewer places than runs each comes as often as another, or once more.
     """
     edges = np.arange(count + 1, dtype=np.int64) * length // max(count, 1)
     return whole_numbers(edges[:-1], edges[1:])

@@ -8,6 +8,7 @@ import numpy as np
 
 from sss_ref.language import Stage
 from sss_ref.language.types import Vector
+from sss_ref.numerics.random_numbers import one_of_each_run
 from sss_ref.validation.accept.drawn_pass import DrawnPass
 from sss_ref.validation.accept.known import Pixels, stacked
 from sss_ref.validation.accept.rebased import Check
@@ -103,9 +104,9 @@ def chain_sample_of(check: Check, drawn: DrawnPass, wrong: np.ndarray) -> Sample
 
 
 def _chosen(check: Check, wrong: np.ndarray) -> Pixels:
-    rng = np.random.default_rng(0)
+    """Row by row, of the wrong pixels and of the right ones a half each: all as often, or of many some."""
     sorts = [pixels for pixels in (np.argwhere(wrong), np.argwhere(check.where & ~wrong)) if len(pixels)]
-    rows, columns = np.concatenate([pixels[rng.integers(0, len(pixels), SAMPLE // 2)] for pixels in sorts]).T
+    rows, columns = np.concatenate([pixels[one_of_each_run(len(pixels), SAMPLE // 2)] for pixels in sorts]).T
     return rows, columns
 
 
