@@ -8,10 +8,13 @@ from right_devices import trial
 from scenes import around, written
 
 from sss_ref.interpret.intervals.profile import PROFILES
+from sss_ref.numerics.interval import Interval
 from sss_ref.rendering.fold import render
 from sss_ref.scene.load import load_scene
+from sss_ref.validation.accept import undumped
 from sss_ref.validation.accept.case import Case
 from sss_ref.validation.accept.dumped import Drawing
+from sss_ref.validation.accept.known import Known
 from sss_ref.validation.stage_by_stage import validate
 
 SMALL = {f"{t}.{s}": 32 for t in ("camera", "shadow_map", "irradiance_map") for s in ("width", "height")}
@@ -132,3 +135,15 @@ def test_where_more_than_64_pieces_may_be_seen_anything_may(tmp_path, facets, le
     assert (4.7 < distance.low[4, 4] <= distance.high[4, 4] < 4.8) == (facets == 64)
     assert np.isinf([distance.low[4, 4], distance.high[4, 4]]).all() == (facets == 65)
     assert triangle.doubt[4, 4] and np.isfinite(np.delete(distance.high, 40)).all()
+
+
+def test_what_is_no_number_or_of_no_piece_may_be_anything():
+    """The first is known; the others lack an end, or the piece has no area."""
+    bounds = Interval(np.array([1.0, np.nan, 1.0, 1.0]), np.array([2.0, 2.0, np.nan, 2.0]))
+    low, high = undumped._ends(Known(np.ones(4), bounds), np.array([False, False, False, True]))
+    assert low.tolist() == [[1], [-np.inf], [-np.inf], [-np.inf]] and high.tolist() == [
+        [2],
+        [np.inf],
+        [np.inf],
+        [np.inf],
+    ]
