@@ -37,9 +37,11 @@ def test_without_perspective_rays_are_beside_each_other():
 
 
 def test_a_picture_that_is_askew():
-    """(.5, -.5) of the way to its borders: ahead + .15 + .05, .1 - .1, .05 - .2."""
-    _, found = eye_ray(SKEW, 3.0, 0.5)
-    assert found == pytest.approx(np.array([0.2, 0, -1.15]) / np.hypot(0.2, 1.15), abs=1e-15)
+    """(.5, -.5) of the way to its borders: ahead and (.15 + .05, .1 - .1, .05 - .2)."""
+    ahead = np.array([0.25, 0.5, -1.0])
+    _, found = eye_ray(SKEW._replace(ahead=ahead), 3.0, 0.5)
+    expected = ahead + np.array([0.2, 0, -0.15])
+    assert found == pytest.approx(expected / np.sqrt((expected**2).sum()), abs=1e-15)
 
 
 def sums_of(eye, samples):
