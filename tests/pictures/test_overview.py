@@ -224,3 +224,9 @@ def test_a_long_unit_is_written_smaller(monkeypatch):
     notes = noted(monkeypatch)
     overview._draw_caption(Image.new("RGB", (9, 9)), tile_of("light_visible", np.ones((2, 2, 3), np.float32)), (10, 20))
     assert notes[-1] == ("text", (10, 82), "share, 0 to 1, of the surface around that sees the light", FAINT, 11)
+
+
+def test_each_pass_has_a_colour_of_its_own():
+    orange, blue, red, green, violet = overview.ACCENTS
+    assert (orange, blue, red) == ((233, 174, 84), (92, 178, 224), (226, 116, 132))
+    assert (green, violet) == ((126, 200, 136), (182, 146, 226))
