@@ -12,7 +12,7 @@ import re
 import subprocess
 import sys
 from collections.abc import Iterable
-from functools import cache, cached_property
+from functools import cache
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -69,13 +69,14 @@ class Recorded:
     """What a folder of recordings says."""
 
     def __init__(self, folder: Path) -> None:
-        """folder: as `record` has filled it."""
+        """folder: as `record` has filled it. seconds: the tests that were run -> what each took, under coverage."""
         self._pieces = [Piece(path) for path in sorted(folder.glob("*.coverage"))]
 
-    @cached_property
-    def seconds(self) -> dict[str, float]:
-        """The tests that were run -> the seconds that each took, under coverage."""
-        return {test: each for piece in self._pieces for test, each in piece.seconds().items()}
+        self.seconds = {test: each for piece in self._pieces for test, each in piece.seconds().items()}
+
+    def keep(self, tests: set[str]) -> None:
+        """Forget all tests but these."""
+        self.seconds = {test: each for test, each in self.seconds.items() if test in tests}
 
     def executing(self, path: Path, lines: Iterable[int]) -> set[str]:
         """The tests that execute one of these lines of a file of the package, or may, because it changed since."""

@@ -65,9 +65,10 @@ def main() -> None:
     equivalent = {(each["path"], each["changed"]) for each in tomllib.loads(EQUIVALENT.read_text())["mutant"]}
     told_apart = [mutant for mutant in sample if (str(mutant.path), mutant.changed_line) not in equivalent]
     recorded = Recorded(asked.recorded)
-    tests = {mutant: chosen(mutant, recorded, asked.limit) for mutant in told_apart}
     with tempfile.TemporaryDirectory() as folder:
         checkouts = [copied(Path(folder) / str(job)) for job in range(asked.jobs)]
+        recorded.keep(collected(checkouts[0]))
+        tests = {mutant: chosen(mutant, recorded, asked.limit) for mutant in told_apart}
         stopped = tried(tests, checkouts, time.monotonic() + 60 * asked.minutes)
     for room, count in sorted(Counter(mutant.room for mutant in stopped).items()):
         print(f"{room}: {sum(hit for mutant, hit in stopped.items() if mutant.room == room)} of {count}")
@@ -140,6 +141,12 @@ def copied(folder: Path) -> Path:
     """Copy the checkout, as far as tests read it."""
     skipped = shutil.ignore_patterns(".git", ".*_cache", "_build", "shared")
     return Path(shutil.copytree(HERE, folder / "checkout", ignore=skipped, symlinks=True))
+
+
+def collected(checkout: Path) -> set[str]:
+    """The tests that are there: one that is not would fail for every mutant."""
+    run(checkout, ["--collect-only", "-v", "-m", ""], 600)
+    return set((checkout / PRINTED).read_text(encoding="utf-8").splitlines())
 
 
 class Trial:
