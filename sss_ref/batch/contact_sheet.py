@@ -6,6 +6,7 @@ from pathlib import Path
 
 from PIL import Image, ImageDraw
 
+from sss_ref.errors.whole_file import whole_file
 from sss_ref.pictures.lettering import SOFT, font
 from sss_ref.pictures.tiles import GROUND
 
@@ -30,7 +31,8 @@ def write_contact_sheet(path: Path, pictures: Sequence[Path], captions: Sequence
         left, top = GAP + number % columns * width, GAP + number // columns * height
         _paste(sheet, picture, (left, top), tile)
         draw.text((left, top + tile[1] + 4), _cut(draw, caption, tile[0]), SOFT, font(LETTERS))
-    sheet.save(path)
+    with whole_file(path) as hidden:
+        sheet.save(hidden)
 
 
 def _tile(path: Path) -> tuple[int, int]:

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from sss_ref.errors import DumpError
+from sss_ref.errors.whole_file import whole_file
 from sss_ref.errors.wording import told
 
 ENCODER = "imageio_ffmpeg"  # the module of the extra `video`
@@ -21,10 +22,12 @@ def write_films(folder: Path, stem: str, pictures: Sequence[Path], rate: int) ->
     """
     check_sizes(pictures)
     paths = [folder / f"{stem}.gif"]
-    _write_gif(paths[0], pictures, rate)
+    with whole_file(paths[0]) as hidden:
+        _write_gif(hidden, pictures, rate)
     if has_encoder():
         paths.append(folder / f"{stem}.mp4")
-        _write_mp4(paths[1], pictures, rate)
+        with whole_file(paths[1]) as hidden:
+            _write_mp4(hidden, pictures, rate)
     return paths
 
 

@@ -9,9 +9,10 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from sss_ref.batch.batch_folder import write_whole
 from sss_ref.batch.plan import WHOLE, Plan, Shard
 from sss_ref.batch.workshop import ItemOutcome
+from sss_ref.errors import DumpError
+from sss_ref.errors.text_file import write_text
 
 Row = dict[str, Any]
 
@@ -25,7 +26,7 @@ def write_table(folder: Path, plan: Plan, outcomes: Iterable[ItemOutcome], shard
     rows = [row(plan, each) for each in sorted(outcomes, key=lambda each: each.item)]
     columns = _columns(plan, rows)
     files = [folder / f"items{shard.suffix}.csv"]
-    write_whole(files[0], _csv(columns, rows))
+    write_text(files[0], _csv(columns, rows), DumpError)
     if find_spec("pyarrow"):
         files.append(folder / f"items{shard.suffix}.parquet")
         _write_parquet(files[1], columns, rows)

@@ -12,11 +12,11 @@ from typing import Any, Final
 import numpy as np
 from pydantic import TypeAdapter
 
-from sss_ref.batch.batch_folder import write_whole
 from sss_ref.batch.item_folder import item_folder, read_record
 from sss_ref.batch.plan import Shard
 from sss_ref.batch.workshop import ItemOutcome
 from sss_ref.errors import DumpError
+from sss_ref.errors.text_file import write_text
 from sss_ref.errors.wording import told
 from sss_ref.scene_file.viewpoints import Camera
 from sss_ref.view.matrices import Matrix, Vector, length, product, transformed
@@ -40,7 +40,7 @@ def write_transforms(folder: Path, outcomes: Iterable[ItemOutcome], shard: Shard
         "frames": [{key: value for key, value in frame.items() if key not in shared} for frame in frames],
     }
     path = folder / f"transforms{shard.suffix}.json"
-    write_whole(path, json.dumps(table, indent=1) + "\n")
+    write_text(path, json.dumps(table, indent=1) + "\n", DumpError)
     return path
 
 

@@ -14,6 +14,8 @@ from sss_ref.capture.surfaces import surfaces_of
 from sss_ref.dump.read import Dump, dump_of
 from sss_ref.dump.sources import Source, Sources
 from sss_ref.errors import DumpError
+from sss_ref.errors.text_file import write_text
+from sss_ref.errors.whole_file import put_new
 from sss_ref.errors.wording import told
 from sss_ref.rendering.result import Result
 
@@ -95,13 +97,9 @@ class Recognized:
         self.dump()
         path = folder / MAPPING
         try:
-            with path.open("x", encoding="utf-8") as file:
-                file.write(self.mapping(folder))
+            return write_text(path, self.mapping(folder), DumpError, put_new)
         except FileExistsError:
             raise DumpError(told(str(path), "a new file", "one that is there", "remove or rename it")) from None
-        except OSError as error:
-            raise DumpError(told(str(path), "a file to write", error.strerror or "none", "choose another")) from None
-        return path
 
 
 def recognized(source: Path, oracle: Result, folder: Path | None = None) -> Recognized:

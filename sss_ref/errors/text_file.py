@@ -8,6 +8,7 @@ from stat import S_ISREG
 from typing import Any
 
 from sss_ref.errors import SssRefError
+from sss_ref.errors.whole_file import Put, whole_file
 from sss_ref.errors.wording import told
 
 BYTE_LIMIT = 2**20  # of any text; none of ours comes near
@@ -48,10 +49,16 @@ def text_of(path: Path, expected: str, error_class: type[SssRefError]) -> str:
         raise error_class(told(str(path), f"{expected} in UTF-8", came, "save it as UTF-8")) from None
 
 
-def write_text(path: Path, text: str, error_class: type[SssRefError]) -> Path:
-    """Write a text file; returns its path. Raises `error_class` where it cannot be written."""
+def write_text(path: Path, text: str, error_class: type[SssRefError], put: Put = Path.replace) -> Path:
+    """Write a text file as a whole; returns its path. Raises `error_class` where it cannot be written.
+
+    put: gives it its name; where that raises FileExistsError, so does this.
+    """
     try:
-        path.write_text(text, encoding="utf-8")
+        with whole_file(path, put) as hidden:
+            hidden.write_text(text, encoding="utf-8", newline="")
+    except FileExistsError:
+        raise
     except OSError as error:
         came = error.strerror or "none"
         raise error_class(told(str(path), "a file that can be written", came, "choose another")) from None

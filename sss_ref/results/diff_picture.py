@@ -8,6 +8,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from sss_ref.errors import DumpError
+from sss_ref.errors.whole_file import whole_file
 from sss_ref.language.names import Name
 from sss_ref.pictures import tiles
 from sss_ref.pictures.channels import channel_names
@@ -170,6 +171,7 @@ def _draw_rings(sheet: Image.Image, layout: Layout, first: np.ndarray) -> None:
 
 def _save(sheet: Image.Image, path: Path) -> None:
     try:
-        sheet.save(path)
+        with whole_file(path) as hidden:
+            sheet.save(hidden)
     except OSError as error:
         raise DumpError(f"{path}: cannot be written ({error.strerror}); choose another file") from None

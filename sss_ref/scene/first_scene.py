@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sss_ref.errors import SceneError
+from sss_ref.errors.text_file import write_text
+from sss_ref.errors.whole_file import put_new
 from sss_ref.errors.wording import told
 from sss_ref.mesh.likely_size import LONGEST_MM, LikelySize, three_digits
 from sss_ref.mesh.mesh_file import load_mesh
@@ -95,12 +97,9 @@ def write_first_scene(mesh: str, target: Path, replace: bool) -> None:
     loaded = load_mesh(given_mesh(mesh))
     text = first_scene(loaded, _path_from(target.parent, mesh))
     try:
-        with target.open("w" if replace else "x", encoding="utf-8", newline="\n") as file:
-            file.write(text)
+        write_text(target, text, SceneError, Path.replace if replace else put_new)
     except FileExistsError:
         raise _already_there(target) from None
-    except OSError as error:
-        raise SceneError(told(str(target), "a file to write", error.strerror or "none", "choose another")) from None
 
 
 def first_scene(mesh: Mesh, path: str) -> str:

@@ -3,7 +3,7 @@ import os
 import pytest
 from small_batches import small_sweep
 
-from sss_ref.batch.batch_folder import BATCH, claim, write_whole
+from sss_ref.batch.batch_folder import BATCH, claim
 from sss_ref.errors import DumpError
 
 
@@ -33,11 +33,3 @@ def test_a_damaged_record_is_told(tmp_path):
     (tmp_path / BATCH).write_text("{}")
     with pytest.raises(DumpError, match=r"batch.json: expected what sss-ref batch writes"):
         claim(tmp_path, small_sweep())
-
-
-def test_a_text_is_replaced_as_a_whole(tmp_path):
-    write_whole(tmp_path / "a.csv", "one")
-    write_whole(tmp_path / "a.csv", "two")
-    assert os.listdir(tmp_path) == ["a.csv"] and (tmp_path / "a.csv").read_text() == "two"
-    with pytest.raises(DumpError, match=r"cannot be written"):
-        write_whole(tmp_path / "no" / "a.csv", "one")

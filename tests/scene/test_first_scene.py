@@ -101,10 +101,12 @@ def test_the_path_is_seen_from_the_scene_file_and_any_name_is_written(tmp_path, 
 
 
 def test_a_file_that_cannot_be_written(tmp_path):
-    with pytest.raises(SceneError, match=r"a\.toml: expected a file to write, got No such file or directory; choose"):
+    with pytest.raises(SceneError, match=r"a\.toml: expected a file that can be written, got No such file"):
         write_first_scene("tetrahedron", tmp_path / "nowhere" / "a.toml", replace=False)
     (tmp_path / "folder.toml").mkdir()
-    with pytest.raises(SceneError, match=r"folder\.toml: expected a file to write, got Is a directory; choose another"):
+    with pytest.raises(
+        SceneError, match=r"folder\.toml: expected a file that can be written, got Is a directory; choose another"
+    ):
         write_first_scene("tetrahedron", tmp_path / "folder.toml", replace=True)
 
 

@@ -5,6 +5,7 @@ from pathlib import Path
 from xml.etree.ElementTree import Element, ElementTree, SubElement, indent
 
 from sss_ref.errors import DumpError
+from sss_ref.errors.whole_file import whole_file
 from sss_ref.errors.wording import told
 from sss_ref.validation.report.report import Report
 from sss_ref.validation.verdict.verdict import Verdict
@@ -26,7 +27,8 @@ def write_junit(report: Report, path: Path, scene: str) -> Path:
     tree = ElementTree(_suites(report, scene))
     indent(tree)
     try:
-        tree.write(checked_junit_file(path), encoding="utf-8", xml_declaration=True)
+        with whole_file(checked_junit_file(path)) as hidden:
+            tree.write(hidden, encoding="utf-8", xml_declaration=True)
     except OSError as error:
         came = error.strerror or "none"
         raise DumpError(told(str(path), "a file that can be written", came, "choose another")) from None
