@@ -14,7 +14,7 @@ class Substance(NamedTuple):
     color: Channels  # mesh.color: its diffuse reflectance
     scale: Channels  # translucency.scale: 1/color where the sum of Gaussians has the colour in it already
     mm_per_offset: float  # blur.mm_per_offset
-    spread: Channels  # of each channel's kernel the share of hbh09's red, the widest; the rest is its blue
+    spread: Channels | None  # of each kernel the share of hbh09's red, the widest; the rest is its blue; None: hbh09
     specular: float  # phong.specular, by eye
     shininess: float  # phong.shininess, by eye
 
@@ -26,7 +26,7 @@ def _measured(color: Channels, mm_per_offset: float, spread: Channels, specular:
 
 
 SUBSTANCES: dict[str, Substance] = {
-    "skin": Substance((0.63, 0.44, 0.34), (1.0, 1.0, 1.0), 1.2, (1.0, 0.0, 0.0), 0.2, 32.0),
+    "skin": Substance((0.63, 0.44, 0.34), (1.0, 1.0, 1.0), 1.2, None, 0.2, 32.0),
     "marble": _measured((0.83, 0.79, 0.75), 1.41, (1.0, 0.7, 0.51), 0.35, 60.0),
     "milk": _measured((0.91, 0.88, 0.76), 1.23, (1.0, 0.66, 0.33), 0.3, 80.0),
     "wax": _measured((0.88, 0.74, 0.48), 1.6, (1.0, 0.55, 0.17), 0.25, 20.0),
@@ -44,7 +44,7 @@ def layer_of(name: Any, in_mm: bool) -> dict[str, Any]:
     if not isinstance(name, str) or name not in SUBSTANCES:
         return {}
     material = SUBSTANCES[name]
-    kernel = "hbh09" if name == "skin" else kernel_of(material.spread)
+    kernel = kernel_of(material.spread) if material.spread else "hbh09"
     unit = {"unit": "mm"} if in_mm else {}
     return {
         "mesh": {"color": material.color},

@@ -22,6 +22,7 @@ SAME = {
     "no number of edges": f"OFF\n4 4\n{V}{F}",
     "no number of edges, behind the keyword": f"OFF 4 4\n{V}{F}",
     "no keyword": BODY,
+    "counts of eighteen digits": f"OFF\n{4:018} {4:018} 6\n{V}{F}",
     "small letters": f"off\n{BODY}",
     "comments": f"# a\nOFF # b\n# c\n\n{BODY}".replace("\n", " #d 9\n"),
     "tabs and blanks": f"\n OFF\n{BODY}".replace(" ", " \t ").replace("\n", "  \n\n"),

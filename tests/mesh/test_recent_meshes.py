@@ -55,6 +55,22 @@ def test_any_file_counts(path, reads):
     assert len(reads) == 5
 
 
+def test_one_that_is_written_while_it_is_read_is_not_kept(path, reads, monkeypatch):
+    load = recent_meshes.load_mesh
+
+    def load_and_write(path):
+        mesh = load(path)
+        path.write_text(path.read_text() + f"# {len(reads)}\n")
+        return mesh
+
+    monkeypatch.setattr(recent_meshes, "load_mesh", load_and_write)
+    before = path.read_text()
+    recent_mesh(path)
+    path.write_text(before)
+    recent_mesh(path)
+    assert len(reads) == 2
+
+
 def test_a_mesh_that_is_refused_is_refused_again(path, reads):
     path.write_text("v 0 0 0\nf 1 2 3\n")
     for _ in range(2):

@@ -188,6 +188,13 @@ def test_a_light_turns_about_its_target_as_fast_as_its_handle_moves(behind, side
     assert steering.light_moved(beside, view, BALL, (0.06, 0.0), behind)[0] == pytest.approx(7 + side * sine, abs=TINY)
 
 
+def test_without_perspective_a_light_turns_by_the_height_of_the_picture():
+    """Of 3 units it is a fifth: 0.6, as above."""
+    view = camera_view(camera("orthographic", eye=[0.0, 0.0, 9.0]))
+    right = steering.light_moved((np.array([0.0, 0, 3]), np.zeros(3)), view, BALL, (0.2, 0.0), False)
+    assert right == pytest.approx([3 * np.sin(0.5), 0, 3 * np.cos(0.5)], abs=TINY)
+
+
 @pytest.mark.parametrize(
     ("position", "x", "y", "behind"),
     [
