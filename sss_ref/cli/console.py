@@ -11,7 +11,7 @@ from sss_ref.cli.options import Execution
 
 DIFFERS, BAD_INPUT = 1, 2  # exit codes other than 0
 READER_GONE = 141  # what a shell says of a program that ends because nobody reads on: no verdict
-TABLE_WIDTH = 160  # characters, at most; columns are never squeezed to what a terminal shows in one line
+TABLE_WIDTH = 240  # characters, at most: no name is cut, whatever a terminal shows in one line
 PATIENCE = 1.0  # seconds of work before its progress is shown
 
 

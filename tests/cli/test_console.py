@@ -20,8 +20,8 @@ def test_a_line_is_printed_as_it_is_given(name, capsys):
     assert speaker.render_str("12 triangles in 'a.obj'").spans == []
 
 
-def test_tables_are_160_characters_wide_and_codes_tell_what_came_of_it():
-    assert (console.out.width, console.DIFFERS, console.BAD_INPUT) == (160, 1, 2)
+def test_tables_are_240_characters_wide_and_codes_tell_what_came_of_it():
+    assert (console.out.width, console.DIFFERS, console.BAD_INPUT) == (240, 1, 2)
     assert not console.out.stderr and console.err.stderr
 
 

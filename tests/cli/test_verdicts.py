@@ -43,6 +43,15 @@ def test_a_report_is_a_table_and_the_outcome_last(capsys):
     assert printed(capsys) == ["profile vulkan, device not given", *TABLE, *LAST]
 
 
+def test_no_name_is_cut(capsys):
+    """Of the longest pass, stage and buffer there are, beside counts of 8192^2 pixels."""
+    buffer, longest = "inner_inside_stored_distance", ["inner_shadow_map", "phong_shading_directional_orthographic"]
+    named = dict(zip(("pass_name", "stage"), longest, strict=True))
+    counts = {"compared": 2**26, "equal": 2**26, "chained": 2**26, "outcomes": (2**26,) * 5, "estimated": (True,) * 5}
+    shown = printed(capsys, verdicts=[verdict(buffer, **named, **counts)])
+    assert "…" not in "".join(shown) and shown[5].split()[:4] == [*longest, buffer, "67108864"]
+
+
 def test_what_else_is_known_stands_between(capsys):
     shown = printed(
         capsys, device="a [bold] device", sensitivity=["phong: [1e-3]"], likeness=[0.5, "[x]"], missing=("uv", "depth")
