@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from sss_ref.errors import SceneError
 from sss_ref.errors.text_file import check_regular
+from sss_ref.errors.whole_file import whole_file
 from sss_ref.errors.wording import told
 from sss_ref.numerics.random_numbers import new_stream
 from sss_ref.truth.eye_rays import Sums, gather_row
@@ -76,9 +77,8 @@ class Radiance:
 
     def save(self, path: Path) -> None:
         """Write the sums into an .npz file, from which `read_radiance` goes on."""
-        part = path.with_name(f"{path.stem}.part.npz")
-        np.savez(part, format=FORMAT, identity=self.of.identity, samples=self.samples, **self.sums._asdict())
-        part.replace(path)
+        with whole_file(path) as hidden:
+            np.savez(hidden, format=FORMAT, identity=self.of.identity, samples=self.samples, **self.sums._asdict())
 
 
 def nothing_gathered(of: Tracing) -> Radiance:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from sss_ref.errors import SceneError
 from sss_ref.errors.text_file import text_of
+from sss_ref.errors.whole_file import whole_file
 from sss_ref.errors.wording import told
 from sss_ref.numerics.random_numbers import new_stream
 from sss_ref.truth.counting import ORDERS, count_photons
@@ -80,9 +81,8 @@ class Tally:
     def save(self, path: Path) -> None:
         """Write the tally into a file, from which `read_tally` goes on."""
         content = {"format": FORMAT, **_described(self.of), "photons": self.photons, "counts": self.counts.tolist()}
-        part = path.with_name(f"{path.name}.part")
-        part.write_text(json.dumps(content) + "\n", encoding="utf-8")
-        part.replace(path)
+        with whole_file(path) as hidden:
+            hidden.write_text(json.dumps(content) + "\n", encoding="utf-8")
 
 
 def nothing_walked(of: Walk) -> Tally:
