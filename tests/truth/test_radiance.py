@@ -2,13 +2,13 @@
 
 import math
 import os
-import threading
 import time
 import zipfile
 
 import numpy as np
 import pytest
 from boxes import looking_down, parallel_light, write_box
+from meeting import Meeting
 
 from sss_ref.errors import SceneError
 from sss_ref.numerics.random_numbers import new_stream
@@ -292,18 +292,12 @@ def test_what_cannot_be_traced_is_refused(scene, border, line):
 @pytest.mark.parametrize(("asked", "used"), [(1, 1), (2, 2), (None, 3)])
 def test_so_many_threads_share_the_rows(sphere, monkeypatch, asked, used):
     """As many at a time as are asked for, else one per processor: none goes on before all are there."""
-    seen, all_there = set(), threading.Barrier(used)
-
-    def wait(*_):
-        seen.add(threading.get_ident())
-        all_there.wait(10)
-        time.sleep(0.01)
-
+    work = Meeting(used)
     monkeypatch.setattr(os, "cpu_count", lambda: 3)
-    monkeypatch.setattr(radiance, "gather_row", wait)
+    monkeypatch.setattr(radiance, "gather_row", work)
     short = Tracing(load_scene("sphere", **SMALL | {"camera.height": 6}), sphere.volumes)
     found = nothing_gathered(short).more(2, asked)
-    assert len(seen) == used and found.samples == 2
+    assert len(work.threads) == used and found.samples == 2
 
 
 def test_time_that_is_over_ends_it_after_a_sample(sphere, monkeypatch):

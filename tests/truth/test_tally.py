@@ -5,11 +5,10 @@ import math
 import os
 import subprocess
 import sys
-import threading
-import time
 
 import numpy as np
 import pytest
+from meeting import Meeting
 
 from sss_ref.errors import SceneError
 from sss_ref.truth import tally
@@ -142,17 +141,11 @@ def test_progress_is_told_every_16384_photons():
 @pytest.mark.parametrize(("asked", "used"), [(1, 1), (2, 2), (None, 3)])
 def test_so_many_threads_share_the_work(small_blocks, monkeypatch, asked, used):
     """As many at a time as are asked for, else one per processor: none goes on before all are there."""
-    seen, all_there = set(), threading.Barrier(used)
-
-    def wait(*_):
-        seen.add(threading.get_ident())
-        all_there.wait(10)
-        time.sleep(0.02)
-
+    work = Meeting(used)
     monkeypatch.setattr(os, "cpu_count", lambda: 3)
-    monkeypatch.setattr(tally, "count_photons", wait)
+    monkeypatch.setattr(tally, "count_photons", work)
     nothing_walked(BEAM).more(600, asked)
-    assert len(seen) == used
+    assert len(work.threads) == used
 
 
 def test_shares_are_of_one_fate():
